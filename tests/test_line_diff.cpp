@@ -36,7 +36,7 @@ QString shortOf(const std::vector<DiffLine> &diff)
     return text;
 }
 
-QString linesOf(const QString &letters)
+QString spreadOut(const QString &letters)
 {
     QString text;
     for (const QChar letter : letters)
@@ -79,7 +79,7 @@ void TestLineDiff::tellsFewestChanges()
     QFETCH(QString, before);
     QFETCH(QString, after);
     QFETCH(QString, diff);
-    QCOMPARE(shortOf(lineDiff(linesOf(before), linesOf(after))), diff);
+    QCOMPARE(shortOf(lineDiff(spreadOut(before), spreadOut(after))), diff);
 }
 
 void TestLineDiff::givesBothTextsBack()
@@ -92,7 +92,7 @@ void TestLineDiff::givesBothTextsBack()
         QString now;
         int x = 0;
         int y = 0;
-        for (const DiffLine &line : lineDiff(linesOf(before), linesOf(after))) {
+        for (const DiffLine &line : lineDiff(spreadOut(before), spreadOut(after))) {
             if (line.kind != DiffLine::Kind::Added) {
                 old += line.text;
                 RC_ASSERT(line.before == ++x);
@@ -122,13 +122,14 @@ void TestLineDiff::textsWithNothingInCommonAreTold()
 void TestLineDiff::hunksHaveLinesAround()
 {
     const auto hunks = hunksOf(
-        lineDiff(linesOf(QStringLiteral("abcdefghij")), linesOf(QStringLiteral("abXdefghYj"))), 1);
+        lineDiff(spreadOut(QStringLiteral("abcdefghij")), spreadOut(QStringLiteral("abXdefghYj"))),
+        1);
     QCOMPARE(hunks.size(), std::size_t(2));
     QCOMPARE(shortOf(hunks[0].lines), QStringLiteral(" b-c+X d"));
     QCOMPARE(shortOf(hunks[1].lines), QStringLiteral(" h-i+Y j"));
     // What lies close together is one.
     const auto one =
-        hunksOf(lineDiff(linesOf(QStringLiteral("abc")), linesOf(QStringLiteral("XbY"))), 1);
+        hunksOf(lineDiff(spreadOut(QStringLiteral("abc")), spreadOut(QStringLiteral("XbY"))), 1);
     QCOMPARE(one.size(), std::size_t(1));
     QCOMPARE(shortOf(one[0].lines), QStringLiteral("-a+X b-c+Y"));
     QVERIFY(hunksOf({}, 3).empty());

@@ -35,7 +35,7 @@ constexpr double littleUsed = 0.4; ///< of a page, on which another section may 
 constexpr double roundedPx = 1.0;  ///< by which a layout may miss the top of a page
 constexpr int fineness = 1200;     ///< dots per inch that places are rounded to
 /// At equal x-height TeX's capitals and digits stand above those of other fonts.
-constexpr double formulaScale = 0.94;
+constexpr double printedFormulaScale = 0.94;
 
 /// A ligature has no letters of its own: "--" and "<=" would be missing where text is selected.
 void withoutLigatures(QTextDocument &document)
@@ -63,7 +63,7 @@ void placeFormulas(QTextDocument &document, const std::vector<QByteArray> &drawi
         picture.font = format.font().resolve(document.defaultFont());
         // Points would be those of the paper, in which the painter does not measure here.
         picture.font.setPixelSize(QFontInfo(picture.font).pixelSize());
-        const double ex = QFontMetricsF(picture.font).xHeight() * formulaScale;
+        const double ex = QFontMetricsF(picture.font).xHeight() * printedFormulaScale;
         picture.svg = drawings[number];
         picture.beneath = format.stringProperty(QTextFormat::ImageAltText);
         picture.size = QSizeF(parts[2].toDouble(), parts[3].toDouble()) * ex;

@@ -20,7 +20,7 @@ namespace cradle::cli {
 
 namespace {
 
-struct GradeText {
+struct ClassText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
@@ -38,7 +38,7 @@ Result<QByteArray> secretFor(const GradeRequest &request, GradeProgress &progres
     umask(before);
     if (error)
         return *error;
-    progress.remark(GradeText::tr("a secret was made for the scenes of this class: %1; keep it, "
+    progress.remark(ClassText::tr("a secret was made for the scenes of this class: %1; keep it, "
                                   "and publish it to nobody")
                         .arg(kept));
     return secret;
@@ -49,13 +49,13 @@ QString differenceOf(const ResultsVersion &there, const ResultsVersion &now)
 {
     QStringList parts;
     if (there.labId != now.labId || there.labHash != now.labHash)
-        parts.append(GradeText::tr("the lab"));
+        parts.append(ClassText::tr("the lab"));
     if (there.cradle != now.cradle)
         parts.append(QStringLiteral("Cradle"));
     if (there.secretHash != now.secretHash)
-        parts.append(GradeText::tr("the secret"));
+        parts.append(ClassText::tr("the secret"));
     if (there.language != now.language)
-        parts.append(GradeText::tr("the language"));
+        parts.append(ClassText::tr("the language"));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -81,7 +81,7 @@ public:
         const Isolation isolation = (*workers)->isolation();
         if (m_request.requireIsolation && !isolation.isWhole())
             return complainUnwritten(
-                {GradeText::tr("--require-isolation: this machine has only: %1")
+                {ClassText::tr("--require-isolation: this machine has only: %1")
                      .arg(isolationText(isolation))});
         Manifest manifest = manifestOf(found, *secret, isolation);
         if (const auto code = takeOver(manifest))
@@ -152,10 +152,10 @@ private:
         }
         if (!m_request.again)
             return complain(
-                GradeText::tr("%1 holds results of another version (%2); another "
+                ClassText::tr("%1 holds results of another version (%2); another "
                               "folder is right, or --again to begin anew")
                     .arg(m_request.results, there.version == manifest.version
-                                                ? GradeText::tr("the shard")
+                                                ? ClassText::tr("the shard")
                                                 : differenceOf(there.version, manifest.version)));
         removeOthers(m_request.results, there, {});
         return std::nullopt;

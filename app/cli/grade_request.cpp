@@ -13,7 +13,7 @@ namespace cradle::cli {
 
 namespace {
 
-struct GradeText {
+struct AskedText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
@@ -24,55 +24,55 @@ constexpr int mostShards = 100'000;
 struct GradeOptions {
     QCommandLineOption lab{
         QStringLiteral("lab"),
-        GradeText::tr("the lab's folder or NAME.cradle; without it the shipped lab"),
+        AskedText::tr("the lab's folder or NAME.cradle; without it the shipped lab"),
         QStringLiteral("LAB")};
-    QCommandLineOption out{QStringLiteral("out"), GradeText::tr("the folder of the results"),
+    QCommandLineOption out{QStringLiteral("out"), AskedText::tr("the folder of the results"),
                            QStringLiteral("RESULTS")};
     QCommandLineOption secret{
         QStringLiteral("secret"),
-        GradeText::tr("from which, with the id, each student's scenes follow; without it one is "
+        AskedText::tr("from which, with the id, each student's scenes follow; without it one is "
                       "made and kept in RESULTS/secret.txt"),
         QStringLiteral("FILE")};
     QCommandLineOption jobs{QStringLiteral("jobs"),
-                            GradeText::tr("students at a time; without it as many as processors"),
+                            AskedText::tr("students at a time; without it as many as processors"),
                             QStringLiteral("N")};
     QCommandLineOption roster{
         QStringLiteral("roster"),
-        GradeText::tr("who is in the class: a table with columns id, folder, name, number, email, "
+        AskedText::tr("who is in the class: a table with columns id, folder, name, number, email, "
                       "late days"),
         QStringLiteral("F.csv")};
     QCommandLineOption late{QStringLiteral("late-percent"),
-                            GradeText::tr("what each late day takes of the points; 0 without it"),
+                            AskedText::tr("what each late day takes of the points; 0 without it"),
                             QStringLiteral("P"), QStringLiteral("0")};
     QCommandLineOption lateMost{QStringLiteral("late-most"),
-                                GradeText::tr("more percent are never taken; 100 without it"),
+                                AskedText::tr("more percent are never taken; 100 without it"),
                                 QStringLiteral("P"), QStringLiteral("100")};
     QCommandLineOption shard{QStringLiteral("shard"),
-                             GradeText::tr("judge part I of N of the class, for --merge"),
+                             AskedText::tr("judge part I of N of the class, for --merge"),
                              QStringLiteral("I/N")};
     QCommandLineOption merge{
         QStringLiteral("merge"),
-        GradeText::tr("judge nothing; put together the results of shards, each a folder")};
+        AskedText::tr("judge nothing; put together the results of shards, each a folder")};
     QCommandLineOption language{
         QStringLiteral("language"),
-        GradeText::tr(
+        AskedText::tr(
             "of the pages and of what students are told, such as en or de; en without it"),
         QStringLiteral("CODE")};
     QCommandLineOption isolation{
         QStringLiteral("require-isolation"),
-        GradeText::tr("judge only where rlimits, seccomp and namespaces are to be had")};
+        AskedText::tr("judge only where rlimits, seccomp and namespaces are to be had")};
     QCommandLineOption dryRun{
         QStringLiteral("dry-run"),
-        GradeText::tr("tell how the folder was understood, and judge nothing")};
+        AskedText::tr("tell how the folder was understood, and judge nothing")};
     QCommandLineOption again{
         QStringLiteral("again"),
-        GradeText::tr("begin anew where RESULTS holds those of another version")};
+        AskedText::tr("begin anew where RESULTS holds those of another version")};
     QCommandLineOption format{QStringLiteral("format"),
-                              GradeText::tr("text, or json: events on standard output, one a line"),
+                              AskedText::tr("text, or json: events on standard output, one a line"),
                               QStringLiteral("NAME"), QStringLiteral("text")};
     QCommandLineOption exitZero{
         QStringLiteral("exit-zero"),
-        GradeText::tr("exit with 0 also if somebody did not pass, if only all are graded")};
+        AskedText::tr("exit with 0 also if somebody did not pass, if only all are graded")};
 };
 
 std::optional<Shard> shardFrom(const QString &text)
@@ -101,19 +101,19 @@ std::optional<QString> readValues(const QCommandLineParser &parser, const GradeO
         bool isNumber = false;
         request.jobs = parser.value(options.jobs).toInt(&isNumber);
         if (!isNumber || request.jobs < 1 || request.jobs > mostJobs)
-            return GradeText::tr("--jobs %1: a number from 1 to %2 is right")
+            return AskedText::tr("--jobs %1: a number from 1 to %2 is right")
                 .arg(parser.value(options.jobs))
                 .arg(mostJobs);
     }
     if (parser.isSet(options.shard)) {
         const auto shard = shardFrom(parser.value(options.shard));
         if (!shard)
-            return GradeText::tr("--shard %1: I/N is right, with I from 1 to N")
+            return AskedText::tr("--shard %1: I/N is right, with I from 1 to N")
                 .arg(parser.value(options.shard));
         request.shard = *shard;
         if (request.shard.count > 1 && !parser.isSet(options.secret)
             && !parser.isSet(options.dryRun))
-            return GradeText::tr("--shard needs --secret FILE, the same for every shard");
+            return AskedText::tr("--shard needs --secret FILE, the same for every shard");
     }
     request.language = parser.value(options.language);
     if (const QString fault = languageFault(request.language); !fault.isEmpty())
@@ -121,11 +121,11 @@ std::optional<QString> readValues(const QCommandLineParser &parser, const GradeO
     const auto late = percentFrom(parser.value(options.late));
     const auto most = percentFrom(parser.value(options.lateMost));
     if (!late || !most)
-        return GradeText::tr("--late-percent and --late-most are numbers from 0 to 100");
+        return AskedText::tr("--late-percent and --late-most are numbers from 0 to 100");
     request.late = {*late, *most};
     const QString format = parser.value(options.format);
     if (format != QLatin1String("text") && format != QLatin1String("json"))
-        return GradeText::tr("unknown format %1; one of %2 is right")
+        return AskedText::tr("unknown format %1; one of %2 is right")
             .arg(format, QStringLiteral("text, json"));
     request.events = format == QLatin1String("json");
     return std::nullopt;
@@ -136,14 +136,14 @@ std::optional<QString> readValues(const QCommandLineParser &parser, const GradeO
 std::variant<GradeRequest, ExitCode> parseGradeRequest(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(GradeText::tr(
+    parser.setApplicationDescription(AskedText::tr(
         "Judges a class: every step of every student, each in a process of its own that can do "
         "nothing else. SUBMISSIONS is a folder of folders or of .cradle-work files, a download of "
         "Moodle, Canvas or Blackboard, clones of GitHub Classroom, or a zip of any of these; "
         "nothing in it is written. Stopped at any time it goes on where it was. Exit status: 1 if "
         "not all passed."));
     parser.addPositionalArgument(QStringLiteral("SUBMISSIONS"),
-                                 GradeText::tr("what was handed in; with --merge: results"),
+                                 AskedText::tr("what was handed in; with --merge: results"),
                                  QStringLiteral("SUBMISSIONS..."));
     const GradeOptions options;
     parser.addOptions({options.lab, options.out, options.secret, options.jobs, options.roster,
@@ -167,10 +167,10 @@ std::variant<GradeRequest, ExitCode> parseGradeRequest(const QStringList &argume
     else if (positional.size() == 1)
         request.submissions = positional.first();
     else
-        return complain(GradeText::tr("unexpected argument %1; see %2 --help")
+        return complain(AskedText::tr("unexpected argument %1; see %2 --help")
                             .arg(positional.at(1), arguments.first()));
     if (request.results.isEmpty() && !request.dryRun)
-        return complain(GradeText::tr("--out RESULTS is missing: where are the results to go?"));
+        return complain(AskedText::tr("--out RESULTS is missing: where are the results to go?"));
     if (const auto fault = readValues(parser, options, request))
         return complain(*fault);
     return request;

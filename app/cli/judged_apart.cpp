@@ -18,7 +18,7 @@ struct ApartText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
-constexpr int look = 60'000; ///< ms; there is nothing else to do
+constexpr int lookEvery = 60'000; ///< ms; there is nothing else to do
 constexpr int mostKills = 3;
 
 } // namespace
@@ -41,7 +41,7 @@ Result<JudgedApart> judgeApart(const LabAtHand &lab, const JudgingRequest &reque
         (*workers)->judge(0, request);
         std::optional<WorkerEvent> ended;
         while (!ended) {
-            for (WorkerEvent &event : (*workers)->wait(look)) {
+            for (WorkerEvent &event : (*workers)->wait(lookEvery)) {
                 if (!event.step) {
                     ended = std::move(event);
                     continue;

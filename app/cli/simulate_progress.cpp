@@ -13,7 +13,7 @@ namespace cradle::cli {
 
 namespace {
 
-struct SimulateText {
+struct SoFarText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
@@ -41,7 +41,7 @@ void SimulateProgress::show(double share)
     m_stands = true;
     QTextStream(stderr)
         << QStringLiteral("\r\x1b[K")
-        << SimulateText::tr("%1 % of the run; Ctrl+C ends it here").arg(100.0 * share, 0, 'f', 1)
+        << SoFarText::tr("%1 % of the run; Ctrl+C ends it here").arg(100.0 * share, 0, 'f', 1)
         << Qt::flush;
 }
 

@@ -15,7 +15,7 @@ namespace cradle::cli {
 
 namespace {
 
-struct SimulateText {
+struct AskedSimText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
@@ -23,30 +23,30 @@ struct SimulateText {
 constexpr double mostSteps = 1e8;
 
 struct SimulateOptions {
-    QCommandLineOption duration = option("duration", SimulateText::tr("how long, s"), "S");
+    QCommandLineOption duration = option("duration", AskedSimText::tr("how long, s"), "S");
     QCommandLineOption timestep =
-        option("timestep", SimulateText::tr("instead of the preset's, s"), "S");
+        option("timestep", AskedSimText::tr("instead of the preset's, s"), "S");
     QCommandLineOption timing =
-        option("timing", SimulateText::tr("discrete, continuous or exact"), "NAME");
+        option("timing", AskedSimText::tr("discrete, continuous or exact"), "NAME");
     QCommandLineOption script = option(
         "script",
-        SimulateText::tr("a program that moves the circles; what it prints goes to standard error, "
+        AskedSimText::tr("a program that moves the circles; what it prints goes to standard error, "
                          "what it plots and draws is dropped, its hits are inferred"),
         "F.lua");
     QCommandLineOption student =
         option("student",
-               SimulateText::tr("of files of a lab that draws values: those of the student with "
+               AskedSimText::tr("of files of a lab that draws values: those of the student with "
                                 "this number"),
                "NUMBER");
-    QCommandLineOption every = option("every", SimulateText::tr("write every N-th step only"), "N");
+    QCommandLineOption every = option("every", AskedSimText::tr("write every N-th step only"), "N");
     QCommandLineOption states =
-        option("states", SimulateText::tr("table of the circles' states"), "F.csv");
+        option("states", AskedSimText::tr("table of the circles' states"), "F.csv");
     QCommandLineOption totals =
-        option("totals", SimulateText::tr("table of momentum and energy"), "F.csv");
-    QCommandLineOption events = option("events", SimulateText::tr("table of the hits"), "F.csv");
+        option("totals", AskedSimText::tr("table of momentum and energy"), "F.csv");
+    QCommandLineOption events = option("events", AskedSimText::tr("table of the hits"), "F.csv");
     QCommandLineOption format = option(
         "format",
-        SimulateText::tr("of the summary: text, or json, which is written beside tables, too"),
+        AskedSimText::tr("of the summary: text, or json, which is written beside tables, too"),
         "NAME");
 
     static QCommandLineOption option(const char *name, const QString &what, const char *value)
@@ -57,7 +57,7 @@ struct SimulateOptions {
 
 Error wrong(const QCommandLineOption &option, const QString &text, const QString &right)
 {
-    return {.message = SimulateText::tr("--%1 %2 is not right; %3 is right")
+    return {.message = AskedSimText::tr("--%1 %2 is not right; %3 is right")
                            .arg(option.names().first(), text, right)};
 }
 
@@ -71,7 +71,7 @@ Result<double> numberOf(const QCommandLineParser &parser, const QCommandLineOpti
     if (ok && value > 0.0 && value <= most)
         return value;
     return wrong(option, text,
-                 SimulateText::tr("a number above 0 and at most %1").arg(shortestNumber(most)));
+                 AskedSimText::tr("a number above 0 and at most %1").arg(shortestNumber(most)));
 }
 
 /// Reads of the summary whether it is wanted as JSON.
@@ -85,7 +85,7 @@ std::optional<Error> readFormat(const QCommandLineParser &parser, const Simulate
     const bool tableThere =
         QStringList{request.states, request.totals, request.events}.contains(QLatin1String("-"));
     if (request.asJson && tableThere)
-        return Error{.message = SimulateText::tr(
+        return Error{.message = AskedSimText::tr(
                          "a table and the summary cannot both go to standard output; a file for "
                          "the table is right")};
     return std::nullopt;
@@ -105,7 +105,7 @@ Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
 {
     const SimulateOptions options;
     if (!parser.isSet(options.duration))
-        return Error{.message = SimulateText::tr("--duration S is missing: how long, in s?")};
+        return Error{.message = AskedSimText::tr("--duration S is missing: how long, in s?")};
     const Result<double> seconds = numberOf(parser, options.duration, 1e9);
     if (!seconds)
         return seconds.error();
@@ -124,7 +124,7 @@ Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
         const auto timing = timingFromName(parser.value(options.timing));
         if (!timing)
             return wrong(options.timing, parser.value(options.timing),
-                         SimulateText::tr("discrete, continuous or exact"));
+                         AskedSimText::tr("discrete, continuous or exact"));
         request.preset.laws.timing = *timing;
     }
     if (parser.isSet(options.every)) {
@@ -132,12 +132,12 @@ Result<SimulateRequest> readSimulateRequest(const QCommandLineParser &parser)
         request.every = parser.value(options.every).toLongLong(&ok);
         if (!ok || request.every < 1)
             return wrong(options.every, parser.value(options.every),
-                         SimulateText::tr("a whole number from 1"));
+                         AskedSimText::tr("a whole number from 1"));
     }
     // A part of a step at the end is a step: the run lasts at least as long as asked.
     const double steps = std::ceil(*seconds / request.preset.timestep * (1.0 - 1e-12));
     if (steps > mostSteps)
-        return Error{.message = SimulateText::tr("%1 steps are too many; at most %2 are right")
+        return Error{.message = AskedSimText::tr("%1 steps are too many; at most %2 are right")
                                     .arg(steps)
                                     .arg(mostSteps)};
     request.steps = static_cast<qint64>(steps);

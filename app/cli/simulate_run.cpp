@@ -17,7 +17,7 @@ namespace cradle::cli {
 
 namespace {
 
-struct SimulateText {
+struct SimulateRunText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
@@ -37,7 +37,7 @@ Totals measured(const Runner &run)
 
 QString mergedText(double from)
 {
-    return SimulateText::tr("contacts merged from %1 s on").arg(shortestNumber(from));
+    return SimulateRunText::tr("contacts merged from %1 s on").arg(shortestNumber(from));
 }
 
 SimulateRun::SimulateRun(const SimulateRequest &request)
@@ -116,8 +116,8 @@ QByteArray SimulateRun::summaryText() const
 {
     const Totals t = measured(m_run);
     const World &world = m_run.world();
-    QString text = SimulateText::tr("%1: %2 circles, %3 steps, %4 s, %5 hits\n"
-                                    "momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J\n")
+    QString text = SimulateRunText::tr("%1: %2 circles, %3 steps, %4 s, %5 hits\n"
+                                       "momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J\n")
                        .arg(m_run.scene().name, QString::number(world.circles.size()),
                             QString::number(world.step), shortestNumber(world.time),
                             QString::number(m_hitCount), shortestNumber(t.momentum.x),

@@ -22,7 +22,7 @@ namespace cradle::cli {
 
 namespace {
 
-struct WorkReportText {
+struct ReportFileText {
     Q_DECLARE_TR_FUNCTIONS(Cli)
 };
 
@@ -31,23 +31,23 @@ constexpr std::chrono::minutes mostTime{10}; ///< of all programs of one student
 /// What both subcommands are asked.
 struct WorkOptions {
     QCommandLineOption lab{QStringLiteral("lab"),
-                           WorkReportText::tr("the lab's folder or NAME.cradle; without it the "
+                           ReportFileText::tr("the lab's folder or NAME.cradle; without it the "
                                               "shipped lab that the work belongs to"),
                            QStringLiteral("LAB")};
     QCommandLineOption seed{QStringLiteral("seed"),
-                            WorkReportText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
+                            ReportFileText::tr("of the scenes; 1 without it"), QStringLiteral("N"),
                             QStringLiteral("1")};
-    QCommandLineOption name{QStringLiteral("name"), WorkReportText::tr("of the student"),
+    QCommandLineOption name{QStringLiteral("name"), ReportFileText::tr("of the student"),
                             QStringLiteral("N")};
-    QCommandLineOption number{QStringLiteral("id"), WorkReportText::tr("of the student"),
+    QCommandLineOption number{QStringLiteral("id"), ReportFileText::tr("of the student"),
                               QStringLiteral("I")};
-    QCommandLineOption note{QStringLiteral("note"), WorkReportText::tr("to the teacher"),
+    QCommandLineOption note{QStringLiteral("note"), ReportFileText::tr("to the teacher"),
                             QStringLiteral("TEXT")};
-    QCommandLineOption output{QStringLiteral("output"), WorkReportText::tr("where to write"),
+    QCommandLineOption output{QStringLiteral("output"), ReportFileText::tr("where to write"),
                               QStringLiteral("FILE")};
     QCommandLineOption language{
         QStringLiteral("language"),
-        WorkReportText::tr("of the report, such as en or de; without it that of the system"),
+        ReportFileText::tr("of the report, such as en or de; without it that of the system"),
         QStringLiteral("CODE")};
 };
 
@@ -128,11 +128,11 @@ Result<LabReport> reportOn(const QString &path, const Lab &lab, const Sender &se
 ExitCode report(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(WorkReportText::tr(
+    parser.setApplicationDescription(ReportFileText::tr(
         "Writes the report of a student's work: what was asked, what the program does, how it "
         "came about. Every step is judged anew."));
     parser.addPositionalArgument(QStringLiteral("WORKSPACE"),
-                                 WorkReportText::tr("the folder, or a FILE.cradle-work"));
+                                 ReportFileText::tr("the folder, or a FILE.cradle-work"));
     const WorkOptions options;
     parser.addOptions({options.lab, options.seed, options.name, options.number, options.output,
                        options.language});
@@ -143,7 +143,7 @@ ExitCode report(const QStringList &arguments)
     const QString output = parser.value(options.output);
     const bool isPdf = output.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
     if (!isPdf && !output.endsWith(QLatin1String(".html"), Qt::CaseInsensitive))
-        return complain(WorkReportText::tr("--output F.pdf or --output F.html is right"));
+        return complain(ReportFileText::tr("--output F.pdf or --output F.html is right"));
     const QString work = parser.positionalArguments().first();
     return guarded([&]() -> int {
         const auto lab = labFor(parser, options, work);
@@ -165,10 +165,10 @@ ExitCode report(const QStringList &arguments)
 ExitCode handIn(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(WorkReportText::tr(
+    parser.setApplicationDescription(ReportFileText::tr(
         "Writes a student's work into one file to be handed in: the programs, scenes, notes, the "
         "history and a report. Every step is judged once more."));
-    parser.addPositionalArgument(QStringLiteral("WORKSPACE"), WorkReportText::tr("the folder"));
+    parser.addPositionalArgument(QStringLiteral("WORKSPACE"), ReportFileText::tr("the folder"));
     const WorkOptions options;
     parser.addOptions({options.lab, options.seed, options.name, options.number, options.note,
                        options.output, options.language});
@@ -179,7 +179,7 @@ ExitCode handIn(const QStringList &arguments)
     const QString work = parser.positionalArguments().first();
     const QString output = parser.value(options.output);
     if (!output.endsWith(QLatin1String(workSuffix), Qt::CaseInsensitive))
-        return complain(WorkReportText::tr("--output FILE.cradle-work is right"));
+        return complain(ReportFileText::tr("--output FILE.cradle-work is right"));
     return guarded([&]() -> int {
         const auto lab = labFor(parser, options, work);
         if (!lab)
@@ -207,7 +207,7 @@ ExitCode handIn(const QStringList &arguments)
         if (const auto error = writeText(output, *packed))
             return complainUnwritten(*error);
         const LabReport &report = gathered->report;
-        QTextStream(stdout) << WorkReportText::tr("%1 is written: %2 of %3 steps passed")
+        QTextStream(stdout) << ReportFileText::tr("%1 is written: %2 of %3 steps passed")
                                    .arg(output)
                                    .arg(report.passedCount())
                                    .arg(report.steps.size())

@@ -14,7 +14,7 @@ namespace cradle {
 namespace {
 
 /// A share of the largest wish that may be left undone: far below what counts as rest.
-constexpr double converged = 1e-9;
+constexpr double endOfRounds = 1e-9;
 
 std::size_t indexOf(int body)
 {
@@ -146,7 +146,7 @@ void solveManyContacts(std::span<Contact> contacts, std::span<const double> inve
     restart();
     double wrong = split();
     along = free;
-    for (int round = 0; round < mostRounds && wrong > converged * wish; ++round) {
+    for (int round = 0; round < mostRounds && wrong > endOfRounds * wish; ++round) {
         if (product(chopped, chopped) > product(free, free)) {
             matrix.multiply(chopped, change);
             move(chopped, product(gradient, chopped) / product(chopped, change));

@@ -11,8 +11,8 @@ namespace cradle {
 
 namespace {
 
-/// Shares of a step by which rounding may bring a meeting forward.
-constexpr double rounding = 1e-6;
+/// Shares of a step by which timeRounding may bring a meeting forward.
+constexpr double timeRounding = 1e-6;
 
 } // namespace
 
@@ -28,7 +28,7 @@ Path ContinuousSolver::pathOf(Slot slot) const
 /// Notes that two may meet \p time s from now, and not before.
 void ContinuousSolver::putDown(double time, Slot a, Slot b)
 {
-    const double steps = std::max(0.0, time / m_dt - rounding);
+    const double steps = std::max(0.0, time / m_dt - timeRounding);
     if (steps < static_cast<double>(m_skin.steps() - m_index))
         m_due[m_index + static_cast<std::size_t>(steps)].push_back({a, b});
 }

@@ -9,17 +9,17 @@ namespace cradle {
 
 namespace {
 
-/// Hits closer than this share of the step are one moment: rounding, not physics, parts them.
+/// Hits closer than this share of the step are one moment: roundedTime, not physics, parts them.
 constexpr double simultaneous = 1e-12;
-/// Closing speeds below this share of g Δt, and of the fastest speed there is, are rest: rounding
-/// leaves as much where two should move alike.
+/// Closing speeds below this share of g Δt, and of the fastest speed there is, are rest:
+/// roundedTime leaves as much where two should move alike.
 constexpr double atRest = 1e-6;
-constexpr double roundedSpeed = 1e-13;
+constexpr double roundedRebound = 1e-13;
 /// Circles split by moments of impact in one step, per circle and in all, after which the step
 /// ends where it is: a bound on the work, met only by laws that are not physics.
 constexpr std::size_t splitsPerCircle = 1000;
 constexpr std::size_t splitsAtLeast = 100'000;
-constexpr double rounding = 1e-9;
+constexpr double roundedTime = 1e-9;
 
 /// The order of the heap of events.
 constexpr auto later = [](const auto &x, const auto &y) { return x.time > y.time; };
@@ -78,7 +78,7 @@ void ContinuousStep::begin()
     }
     touchAll();
     fastest = std::sqrt(fastest);
-    m_slow = atRest * length(m_rules->gravity) * m_dt + roundedSpeed * fastest;
+    m_slow = atRest * length(m_rules->gravity) * m_dt + roundedRebound * fastest;
     m_neighbours.find(m_world->circles, length(m_rules->gravity), m_dt);
     findRestingPairs();
     findAccelerations();
@@ -191,11 +191,11 @@ void ContinuousStep::findWallEvents(std::size_t i)
         const Vec2 n = outwardNormal(wall);
         const double radius = m_world->circles[i].radius;
         const double gap = m_rules->halfWidth - radius - dot(path.position, n);
-        if (gap > reach + m_rules->halfWidth * rounding || isHeld(i, n))
+        if (gap > reach + m_rules->halfWidth * roundedTime || isHeld(i, n))
             continue;
         const double speed = dot(path.velocity, n);
-        // What is held ends at the wall, but for rounding.
-        if (m_bodies[i].drifts && gap - end * speed >= -rounding * radius)
+        // What is held ends at the wall, but for roundedTime.
+        if (m_bodies[i].drifts && gap - end * speed >= -roundedTime * radius)
             continue;
         if (const auto s = timeToLine(gap, speed, dot(path.curve, n), end))
             push({m_now + *s, static_cast<int>(i), static_cast<int>(wall), true,

@@ -10,7 +10,7 @@ namespace cradle {
 namespace {
 
 /// A larger overlap than may be shrinks, this share of it in a step.
-constexpr double repaired = 0.1;
+constexpr double repairedOfPile = 0.1;
 /// Sweeps over the contacts in a step, at most: as many as set so many contacts right, for what a
 /// heavy circle does to light ones takes many, and in a small pile they cost little. But so many in
 /// any case, of heaps higher than those of 1,000 circles so many more for each row that as many
@@ -18,7 +18,7 @@ constexpr double repaired = 0.1;
 constexpr int mostSetRight = 120000;
 constexpr int surelySweeps = 120;
 constexpr double sweepsPerRow = 10.0;
-constexpr double fewRows = 32.0;
+constexpr double fewPileRows = 32.0;
 /// Then it is seen whether there are other contacts.
 constexpr int firstSweeps = 16;
 /// So often, at most, however few the sweeps.
@@ -31,7 +31,7 @@ int mostSweeps(const Pile &pile, std::size_t contacts)
 {
     const double rows = std::sqrt(static_cast<double>(pile.count()));
     const int surely =
-        surelySweeps + static_cast<int>(sweepsPerRow * std::max(0.0, rows - fewRows));
+        surelySweeps + static_cast<int>(sweepsPerRow * std::max(0.0, rows - fewPileRows));
     return std::max(surely, mostSetRight / static_cast<int>(std::max<std::size_t>(contacts, 1)));
 }
 
@@ -39,7 +39,7 @@ int mostSweeps(const Pile &pile, std::size_t contacts)
 double limitOf(const Pile &pile, double gap)
 {
     const double overlap = std::min(0.0, gap + pile.borne);
-    return (std::max(0.0, gap - pile.apart) + repaired * overlap) / pile.dt;
+    return (std::max(0.0, gap - pile.apart) + repairedOfPile * overlap) / pile.dt;
 }
 
 /// Whether the two are so near and so slow that any push may make them meet.

@@ -12,7 +12,7 @@ namespace {
 /// Of what gravity gives in a step: the error of a rebound.
 constexpr double reboundTolerance = 0.01;
 /// Sweeps over the contacts for it, at most.
-constexpr int mostSweeps = 60;
+constexpr int mostReboundSweeps = 60;
 
 /// Takes the rebounds only as far as there is energy for them.
 /// \param velocities  with all of them, m/s; then with as much as there may be
@@ -65,7 +65,7 @@ PileRebound findRebound(const Pile &pile, const PileMotion &motion, PileEnds &en
         return rebound;
     PileBodies bodies{{}, pile.inverseMasses};
     pile.setFree(bodies);
-    solvePile(contacts, bodies, reboundTolerance * pile.gain, mostSweeps);
+    solvePile(contacts, bodies, reboundTolerance * pile.gain, mostReboundSweeps);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const PileContact &c = contacts[i];
         rebound.impulses[contactOf[i]] = c.push;

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A giant looks around for as long as it moves by this share of its radius.
 constexpr double homeOfGiant = 0.25;
 /// A bound is wider by this share, so that rounding cannot hide what is right at it.
-constexpr double margin = 1e-9;
+constexpr double timeMargin = 1e-9;
 
 /// Two discs as seen from the one when the later of the hits that they come from is over: from then
 /// on they move straight, if they fall alike.
@@ -30,7 +30,7 @@ struct Encounter {
         const double across = cross(d, v);
         const bool closes = dot(d, v) < 0.0;
         const bool hits =
-            across * across < (distance * distance) * ((1.0 + margin) * lengthSquared(v));
+            across * across < (distance * distance) * ((1.0 + timeMargin) * lengthSquared(v));
         return closes & hits;
     }
 
@@ -137,7 +137,7 @@ std::size_t ExactSolver::listNear(Slot a)
         return m_cells.near(m_discs.data(), a, m_near.data());
     Disc disc = m_discs[a];
     carryTo(disc, m_eventTime);
-    const double reach = ((1.0 + homeOfGiant) * disc.radius + m_smallRadius) * (1.0 + margin);
+    const double reach = ((1.0 + homeOfGiant) * disc.radius + m_smallRadius) * (1.0 + timeMargin);
     const Vec2 box{reach, reach};
     return m_cells.within(m_discs.data(), disc.position - box, disc.position + box, m_near.data());
 }

@@ -10,7 +10,7 @@ namespace cradle {
 namespace {
 
 /// So many circles are looked at all together, without a grid.
-constexpr std::size_t fewCircles = 8;
+constexpr std::size_t fewBefriended = 8;
 constexpr std::size_t allEvents = std::numeric_limits<std::size_t>::max();
 
 } // namespace
@@ -93,7 +93,7 @@ bool Stepper::isLeft(const World &world) const
 
 void Stepper::moveContinuously(World &world, double dt, std::vector<Hit> &hits)
 {
-    if (world.circles.size() <= fewCircles) {
+    if (world.circles.size() <= fewBefriended) {
         m_continuous.run(m_rules, world, dt, hits);
     } else {
         if (!isLeft(world))

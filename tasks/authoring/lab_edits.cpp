@@ -16,7 +16,6 @@ struct EditText {
     Q_DECLARE_TR_FUNCTIONS(LabEdits)
 };
 
-const QString indexFile = QStringLiteral("lab.json");
 const QString stepsKey = QStringLiteral("steps");
 const QString titleKey = QStringLiteral("title");
 const QString templateStep = QStringLiteral("S1");
@@ -83,11 +82,6 @@ std::optional<Error> faultOfName(const LabFiles &files, const QString &name)
 Error noSuchStep(const QString &step)
 {
     return indexFault(EditText::tr("the lab has no step in the folder %1").arg(step));
-}
-
-QString taskPath(const QString &step)
-{
-    return step + QStringLiteral("/task.json");
 }
 
 Result<LabFiles> withId(const LabFiles &files, const QString &step, const QString &id)

@@ -76,6 +76,11 @@ bool isTranslation(const LabFiles &files, const QString &language)
     return !language.isEmpty() && language != ownLanguage(files);
 }
 
+QString taskPath(const QString &step)
+{
+    return step + QStringLiteral("/task.json");
+}
+
 QStringList translationsOf(const LabFiles &files, const QString &step)
 {
     const QString start = step + QStringLiteral("/task.");

@@ -16,6 +16,8 @@ inline constexpr char taskSchema[] = "task.schema.json";
 inline constexpr char presetSchema[] = "preset.schema.json";
 inline constexpr char translationSchema[] = "translation.schema.json";
 
+inline const QString indexFile = QStringLiteral("lab.json");
+
 /// The JSON of a file that fits its schema; an error names what does not, or that there is none.
 [[nodiscard]] Result<QJsonObject> jsonOf(const LabFiles &files, const QString &path,
                                          const char *schema);
@@ -36,6 +38,8 @@ inline constexpr char translationSchema[] = "translation.schema.json";
 /// Whether \p language is another than the lab's own; empty is its own.
 [[nodiscard]] bool isTranslation(const LabFiles &files, const QString &language);
 
+/// "STEP/task.json".
+[[nodiscard]] QString taskPath(const QString &step);
 /// "STEP/task.de.json" and so on: the files with texts in other languages.
 [[nodiscard]] QStringList translationsOf(const LabFiles &files, const QString &step);
 /// "NAME.de.json" for "NAME.json".

@@ -98,10 +98,10 @@ const char *schemaOf(const QString &path)
 }
 
 /// Finds, in order of the files.
-class Finding
+class LabFinder
 {
 public:
-    explicit Finding(const LabSearch &search)
+    explicit LabFinder(const LabSearch &search)
         : m_pattern(patternOf(search))
     {
     }
@@ -207,7 +207,7 @@ std::vector<LabHit> findInLab(const LabFiles &files, const LabSearch &search)
 {
     if (search.text.isEmpty())
         return {};
-    Finding finding(search);
+    LabFinder finding(search);
     for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
         if (isIn(it.key(), search))
             finding.look(it.key(), *it);

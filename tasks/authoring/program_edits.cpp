@@ -14,14 +14,9 @@ namespace cradle {
 
 namespace {
 
-struct EditText {
+struct ProgramEditText {
     Q_DECLARE_TR_FUNCTIONS(LabEdits)
 };
-
-QString taskPath(const QString &step)
-{
-    return step + QStringLiteral("/task.json");
-}
 
 /// "mistakes" or "remarks": the folder, and the key in translations.
 QString folderOf(KnownKind kind)
@@ -35,14 +30,16 @@ std::optional<Error> faultOfKnown(const LabFiles &files, const QString &step, Kn
     static const QRegularExpression right(QStringLiteral("^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$"));
     const QString path = knownPath(step, kind, name);
     if (!right.match(name).hasMatch() || !faultOfLabPath(path).isEmpty())
-        return Error{.message = EditText::tr("\"%1\" cannot be the name of a program; letters, "
+        return Error{.message =
+                         ProgramEditText::tr("\"%1\" cannot be the name of a program; letters, "
                                              "digits, dots, dashes and underscores are right")
-                                    .arg(name.left(60)),
+                             .arg(name.left(60)),
                      .file = step};
     for (auto it = files.contents.begin(); it != files.contents.end(); ++it) {
         if (it.key().compare(path, Qt::CaseInsensitive) == 0
             || it.key().compare(diffPathOf(path), Qt::CaseInsensitive) == 0)
-            return Error{.message = EditText::tr("the step has a program of this name already"),
+            return Error{.message =
+                             ProgramEditText::tr("the step has a program of this name already"),
                          .file = path};
     }
     return std::nullopt;
@@ -63,7 +60,7 @@ LabFiles withDiffOf(const LabFiles &files, const QString &path, const QString &p
 
 Error noSuchProgram(const QString &path)
 {
-    return {.message = EditText::tr("there is no such program"), .file = path};
+    return {.message = ProgramEditText::tr("there is no such program"), .file = path};
 }
 
 bool isListed(const TaskForm &form, const QString &remark)

@@ -13,7 +13,7 @@ namespace cradle {
 namespace {
 
 const QString questionsKey = QStringLiteral("questions");
-const QString answersKey = QStringLiteral("answers");
+const QString questionAnswersKey = QStringLiteral("answers");
 
 const Question *find(const std::vector<Question> &questions, const QString &id)
 {
@@ -78,10 +78,10 @@ Result<LabFiles> withQuestionsFollowing(const LabFiles &files, const QString &st
             if (!heir || !texts.contains(before[i].id))
                 continue;
             QJsonObject words = texts.value(before[i].id).toObject();
-            const QStringList answers =
-                followed(toStrings(words.value(answersKey)), before[i].answers, heir->answers);
-            if (words.contains(answersKey))
-                words.insert(answersKey, toJson(answers));
+            const QStringList answers = followed(toStrings(words.value(questionAnswersKey)),
+                                                 before[i].answers, heir->answers);
+            if (words.contains(questionAnswersKey))
+                words.insert(questionAnswersKey, toJson(answers));
             kept.insert(heir->id, words);
         }
         const QJsonValue value =

@@ -17,7 +17,7 @@ namespace cradle {
 
 namespace {
 
-struct EditText {
+struct StepEditText {
     Q_DECLARE_TR_FUNCTIONS(LabEdits)
 };
 
@@ -62,7 +62,7 @@ Result<Preset> presetOf(const LabFiles &files, const QString &step, StepPreset w
     if (!path)
         return path.error();
     if (!files.contents.contains(*path))
-        return Error{.message = EditText::tr("cannot be read: there is no such file"),
+        return Error{.message = StepEditText::tr("cannot be read: there is no such file"),
                      .file = *path};
     return sceneFrom(files.contents.value(*path), *path, valuesOf(files, step, {}));
 }

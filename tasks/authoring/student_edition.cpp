@@ -15,7 +15,6 @@ namespace cradle {
 
 namespace {
 
-const QString indexFile = QStringLiteral("lab.json");
 const QString editionKey = QStringLiteral("edition");
 
 /// Files beside the steps that students need, or that a licence wants to go along.
@@ -86,8 +85,7 @@ Result<LabFiles> withoutMembers(const LabFiles &files, const QString &path, cons
 
 Result<LabFiles> withoutTraces(const LabFiles &kept, const QString &step)
 {
-    Result<LabFiles> result =
-        withoutMembers(kept, step + QStringLiteral("/task.json"), taskSchema, {"remarks"});
+    Result<LabFiles> result = withoutMembers(kept, taskPath(step), taskSchema, {"remarks"});
     for (const QString &path : translationsOf(kept, step)) {
         if (result)
             result = withoutMembers(*result, path, translationSchema, {"mistakes", "remarks"});

@@ -13,11 +13,6 @@ namespace cradle {
 
 namespace {
 
-QString taskPath(const QString &step)
-{
-    return step + QStringLiteral("/task.json");
-}
-
 std::vector<int> circlesFrom(const QJsonValue &list)
 {
     std::vector<int> circles;

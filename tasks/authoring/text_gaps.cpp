@@ -19,7 +19,7 @@ struct GapsText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
 
-const QString titleKey = QStringLiteral("title");
+const QString titleText = QStringLiteral("title");
 const QString hintKeys[] = {QStringLiteral("hints"), QStringLiteral("code_hints")};
 
 /// An object whatever is wrong with it: the reader tells of that.
@@ -81,8 +81,8 @@ QStringList sameInPrediction(const QJsonObject &words, const QJsonObject &own)
 QStringList missingIn(const QJsonObject &words, const QJsonObject &task, const NamedTexts &named)
 {
     QStringList missing;
-    if (words.value(titleKey).toString().isEmpty())
-        missing.append(titleKey);
+    if (words.value(titleText).toString().isEmpty())
+        missing.append(titleText);
     for (const QString &key : hintKeys) {
         if (words.value(key).toArray().size() != task.value(key).toArray().size())
             missing.append(key);
@@ -121,9 +121,9 @@ QStringList leftFromTemplate(const LabFiles &files, const QString &step, const L
                              const QString &patternStep)
 {
     QStringList left;
-    const QJsonObject task = objectIn(files, step + QStringLiteral("/task.json"));
-    const QJsonObject old = objectIn(pattern, patternStep + QStringLiteral("/task.json"));
-    for (const QString &key : {titleKey, hintKeys[0], hintKeys[1]}) {
+    const QJsonObject task = objectIn(files, taskPath(step));
+    const QJsonObject old = objectIn(pattern, taskPath(patternStep));
+    for (const QString &key : {titleText, hintKeys[0], hintKeys[1]}) {
         if (task.value(key) == old.value(key) && !task.value(key).isUndefined())
             left.append(key);
     }
@@ -221,7 +221,7 @@ std::vector<Error> textGaps(const LabFiles &files)
     const LabFiles pattern = newLab(QStringLiteral("lab"), {}, languages.front());
     const QString patternStep = stepsOf(pattern).value(0);
     for (const QString &step : stepsOf(files)) {
-        const QString path = step + QStringLiteral("/task.json");
+        const QString path = taskPath(step);
         const QJsonObject task = objectIn(files, path);
         if (task.isEmpty())
             continue;

@@ -15,16 +15,15 @@ namespace cradle {
 
 namespace {
 
-const QString indexFile = QStringLiteral("lab.json");
 const QString valuesKey = QStringLiteral("values");
 const QString drawKey = QStringLiteral("draw");
 
 QString pathOf(const QString &step)
 {
-    return step.isEmpty() ? indexFile : step + QStringLiteral("/task.json");
+    return step.isEmpty() ? indexFile : taskPath(step);
 }
 
-const char *schemaOf(const QString &step)
+const char *valuesSchema(const QString &step)
 {
     return step.isEmpty() ? labSchema : taskSchema;
 }
@@ -94,7 +93,7 @@ bool makesOthers(const LabFiles &files, const QString &step, const QString &name
 std::vector<ValueForm> valueForms(const LabFiles &files, const QString &step)
 {
     std::vector<ValueForm> values;
-    const Result<QJsonObject> json = jsonOf(files, pathOf(step), schemaOf(step));
+    const Result<QJsonObject> json = jsonOf(files, pathOf(step), valuesSchema(step));
     if (!json)
         return values;
     const QJsonObject written = json->value(valuesKey).toObject();
@@ -109,7 +108,7 @@ Result<LabFiles> withValueForms(const LabFiles &files, const QString &step,
     QJsonObject written;
     for (const ValueForm &value : values)
         written.insert(value.name, writtenOf(value));
-    return withMember(files, pathOf(step), schemaOf(step), valuesKey,
+    return withMember(files, pathOf(step), valuesSchema(step), valuesKey,
                       written.isEmpty() ? QJsonValue(QJsonValue::Undefined) : QJsonValue(written));
 }
 

@@ -14,12 +14,12 @@ namespace cradle {
 
 namespace {
 
-struct ClassText {
+struct ClassPageText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
 constexpr std::size_t mostNumbers = 200; ///< that are told one by one
-constexpr qsizetype mostNamed = 10;      ///< with one number
+constexpr qsizetype mostTold = 10;       ///< with one number
 
 const QString style = QStringLiteral(R"css(
 :root { --heat: #e8590c; --bar-good: #69b57a; --bar-open: #f0a35e; --bar-quiet: #dee2e6;
@@ -83,17 +83,17 @@ void writeFacts(QString &html, const ClassSummary &summary, const ClassFacts &fa
         html += QStringLiteral("<li><span>%1</span><b>%2</b></li>\n").arg(escaped(name), value);
     };
     html += QStringLiteral("<ul class=\"facts\">\n");
-    fact(ClassText::tr("handed in"), QString::number(summary.rows().size()));
+    fact(ClassPageText::tr("handed in"), QString::number(summary.rows().size()));
     if (!facts.missing.empty())
-        fact(ClassText::tr("handed in nothing"), QString::number(facts.missing.size()));
-    fact(ClassText::tr("pass every step"), QString::number(finished));
+        fact(ClassPageText::tr("handed in nothing"), QString::number(facts.missing.size()));
+    fact(ClassPageText::tr("pass every step"), QString::number(finished));
     if (counted > 0)
-        fact(ClassText::tr("points on average"),
-             escaped(ClassText::tr("%1 of %2")
+        fact(ClassPageText::tr("points on average"),
+             escaped(ClassPageText::tr("%1 of %2")
                          .arg(QLocale().toString(sum / counted, 'f', 1),
                               QLocale().toString(most, 'g', 8))));
     if (!summary.notGraded().empty())
-        fact(ClassText::tr("steps not graded"),
+        fact(ClassPageText::tr("steps not graded"),
              QString::number(std::transform_reduce(
                  summary.steps().begin(), summary.steps().end(), 0, std::plus<>(),
                  [](const ClassSummary::Step &step) { return step.notGraded; })));
@@ -104,8 +104,9 @@ void writeNotGraded(QString &html, const ClassSummary &summary)
 {
     if (summary.notGraded().empty())
         return;
-    html += heading(ClassText::tr("Not graded"));
-    html += paragraph(ClassText::tr("Here no verdict could be reached. These steps count neither "
+    html += heading(ClassPageText::tr("Not graded"));
+    html +=
+        paragraph(ClassPageText::tr("Here no verdict could be reached. These steps count neither "
                                     "as passed nor as failed, and the gradebooks leave the points "
                                     "of their students empty."));
     html += QStringLiteral("<ul>\n");
@@ -125,7 +126,8 @@ void writeNumbers(QString &html, const ClassSummary &summary)
             list += QStringLiteral("<li>%1</li>\n").arg(text);
     };
     for (const ClassSummary::OtherNumber &each : summary.otherNumbers())
-        item(escaped(ClassText::tr("%1: the roster has %2, what was handed in has %3; judged with "
+        item(escaped(
+                 ClassPageText::tr("%1: the roster has %2, what was handed in has %3; judged with "
                                    "the values of %2."))
                  .arg(escapedName(each.name), escapedName(each.drawnBy),
                       escapedName(each.handedIn)));
@@ -133,29 +135,30 @@ void writeNumbers(QString &html, const ClassSummary &summary)
         if (names.size() < 2)
             continue;
         QStringList all;
-        for (const QString &name : names.mid(0, mostNamed))
+        for (const QString &name : names.mid(0, mostTold))
             all.append(escapedName(name));
-        if (names.size() > mostNamed)
+        if (names.size() > mostTold)
             all.append(QStringLiteral("…"));
-        item(escaped(ClassText::tr("%1 stands in what several handed in: %2."))
+        item(escaped(ClassPageText::tr("%1 stands in what several handed in: %2."))
                  .arg(escapedName(number), all.join(QStringLiteral(", "))));
     }
     if (list.isEmpty())
         return;
-    html += heading(ClassText::tr("Numbers that are not clear"));
-    html += paragraph(ClassText::tr("This lab draws values by a student's number: that of the "
+    html += heading(ClassPageText::tr("Numbers that are not clear"));
+    html +=
+        paragraph(ClassPageText::tr("This lab draws values by a student's number: that of the "
                                     "roster, where it has one, else that of what was handed in. "
                                     "A mistyped number is likelier than anything else."));
     html += QStringLiteral("<ul>\n%1</ul>\n").arg(list);
     if (count > mostNumbers)
-        html += paragraph(ClassText::tr("And %1 more.").arg(count - mostNumbers));
+        html += paragraph(ClassPageText::tr("And %1 more.").arg(count - mostNumbers));
 }
 
 void writeMissing(QString &html, const ClassFacts &facts)
 {
     if (facts.missing.empty())
         return;
-    html += heading(ClassText::tr("Handed in nothing"));
+    html += heading(ClassPageText::tr("Handed in nothing"));
     QStringList names;
     for (const MissingStudent &student : facts.missing)
         names.append(escapedName(student.name.isEmpty() ? student.id : student.name));
@@ -164,27 +167,29 @@ void writeMissing(QString &html, const ClassFacts &facts)
 
 void writeHow(QString &html, const Lab &lab, const ClassFacts &facts)
 {
-    html += heading(ClassText::tr("How it was judged"));
+    html += heading(ClassPageText::tr("How it was judged"));
     html += QStringLiteral("<ul>\n");
     const auto item = [&](const QString &text) {
         html += QStringLiteral("<li>%1</li>\n").arg(escaped(text));
     };
-    item(ClassText::tr("By %1, with version %2 of the lab %3 (sha256 %4).")
+    item(ClassPageText::tr("By %1, with version %2 of the lab %3 (sha256 %4).")
              .arg(facts.program.isEmpty() ? QStringLiteral("Cradle") : facts.program,
                   lab.version.isEmpty() ? QStringLiteral("?") : lab.version, lab.id, lab.hash));
     if (!facts.isolation.isEmpty())
-        item(ClassText::tr("Programs were kept apart by: %1.").arg(facts.isolation));
-    item(ClassText::tr("A step is worth what the lab says, else the points of its checks; a check "
-                       "that passes brings its "
-                       "points also where others fail. Points are rounded to the hundredth, halves "
-                       "up, once, after all else."));
+        item(ClassPageText::tr("Programs were kept apart by: %1.").arg(facts.isolation));
+    item(ClassPageText::tr(
+        "A step is worth what the lab says, else the points of its checks; a check "
+        "that passes brings its "
+        "points also where others fail. Points are rounded to the hundredth, halves "
+        "up, once, after all else."));
     const QLocale locale;
     if (facts.late.percentPerDay > 0.0)
-        item(ClassText::tr("Each day late that has begun takes %1 % of the points, at most %2 %.")
+        item(ClassPageText::tr(
+                 "Each day late that has begun takes %1 % of the points, at most %2 %.")
                  .arg(locale.toString(facts.late.percentPerDay, 'g', 4),
                       locale.toString(facts.late.mostPercent, 'g', 4)));
     else
-        item(ClassText::tr("Handing in late takes no points."));
+        item(ClassPageText::tr("Handing in late takes no points."));
     for (const QString &remark : facts.remarks)
         item(remark);
     html += QStringLiteral("</ul>\n");
@@ -213,9 +218,9 @@ QByteArray classPage(const ClassSummary &summary, const Lab &lab, const ClassFac
     writeMissing(html, facts);
     writeHow(html, lab, facts);
     html += QStringLiteral("</main>\n");
-    html += pageEnd(escaped(ClassText::tr("For the teacher alone: this page has names. What "
-                                          "students read of themselves is in the folder "
-                                          "students.")));
+    html += pageEnd(escaped(ClassPageText::tr("For the teacher alone: this page has names. What "
+                                              "students read of themselves is in the folder "
+                                              "students.")));
     return html.toUtf8();
 }
 

@@ -14,7 +14,7 @@ namespace cradle {
 
 namespace {
 
-struct ClassText {
+struct FindingsText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
@@ -36,26 +36,27 @@ QString aspectText(Aspect aspect)
 {
     switch (aspect) {
     case Aspect::Start:
-        return ClassText::tr("How it starts");
+        return FindingsText::tr("How it starts");
     case Aspect::Motion:
-        return ClassText::tr("Free motion");
+        return FindingsText::tr("Free motion");
     case Aspect::Walls:
-        return ClassText::tr("Walls");
+        return FindingsText::tr("Walls");
     case Aspect::Contact:
-        return ClassText::tr("When two touch");
+        return FindingsText::tr("When two touch");
     case Aspect::Response:
-        return ClassText::tr("What a hit does");
+        return FindingsText::tr("What a hit does");
     case Aspect::Course:
         break;
     }
-    return ClassText::tr("In the long run");
+    return FindingsText::tr("In the long run");
 }
 
 void writeHeat(QString &html, const ClassSummary &summary)
 {
-    html += QStringLiteral("<div class=\"wide\"><table class=\"heat\">\n<thead><tr>"
-                           "<th scope=\"col\">%1</th>%2</tr></thead>\n<tbody>\n")
-                .arg(escaped(ClassText::tr("Students with a finding")), headCells(summary.steps()));
+    html +=
+        QStringLiteral("<div class=\"wide\"><table class=\"heat\">\n<thead><tr>"
+                       "<th scope=\"col\">%1</th>%2</tr></thead>\n<tbody>\n")
+            .arg(escaped(FindingsText::tr("Students with a finding")), headCells(summary.steps()));
     const auto row = [&](const QString &name, auto countOf) {
         html += QStringLiteral("<tr><th scope=\"row\">%1</th>").arg(escaped(name));
         for (const ClassSummary::Step &step : summary.steps())
@@ -68,14 +69,14 @@ void writeHeat(QString &html, const ClassSummary &summary)
             const auto found = step.aspects.find(aspect);
             return found == step.aspects.end() ? 0 : found->second;
         });
-    row(ClassText::tr("The program stops"), [](const auto &step) { return step.stopped; });
+    row(FindingsText::tr("The program stops"), [](const auto &step) { return step.stopped; });
     html += QStringLiteral("</tbody>\n</table></div>\n");
 }
 
 QString example(const ClassSummary::Misunderstanding &met)
 {
     QString html = QStringLiteral("<details><summary>%1</summary>\n%2")
-                       .arg(escaped(ClassText::tr("an example")), markdownHtml(met.message));
+                       .arg(escaped(FindingsText::tr("an example")), markdownHtml(met.message));
     if (met.codeLine > 0) {
         const QStringList lines = met.code.split(QLatin1Char('\n'));
         html += QStringLiteral("<pre class=\"program\">");
@@ -101,7 +102,7 @@ void writeMet(QString &html, const ClassSummary::Step &step, bool open)
                        "class=\"muted\">%4</span></summary>"
                        "\n<ul class=\"met\">\n")
             .arg(open ? QStringLiteral(" open") : QString(), escaped(step.id), escaped(step.title),
-                 escaped(ClassText::tr("%1 of %2 do not pass")
+                 escaped(FindingsText::tr("%1 of %2 do not pass")
                              .arg(step.failed)
                              .arg(step.passed + step.failed)));
     for (std::size_t i = 0; i < std::min(all.size(), mostListed); ++i)
@@ -110,7 +111,7 @@ void writeMet(QString &html, const ClassSummary::Step &step, bool open)
                 .arg(QString::number(all[i]->count), escaped(all[i]->headline), example(*all[i]));
     html += QStringLiteral("</ul>\n");
     if (all.size() > mostListed)
-        html += paragraph(ClassText::tr("And %1 more.").arg(all.size() - mostListed));
+        html += paragraph(FindingsText::tr("And %1 more.").arg(all.size() - mostListed));
     html += QStringLiteral("</details>\n");
 }
 
@@ -118,21 +119,21 @@ void writeMet(QString &html, const ClassSummary::Step &step, bool open)
 
 void writeMisunderstandings(QString &html, const ClassSummary &summary)
 {
-    html += heading(ClassText::tr("What the class misunderstood"));
+    html += heading(FindingsText::tr("What the class misunderstood"));
     const bool any =
         std::any_of(summary.steps().begin(), summary.steps().end(), [](const auto &step) {
             return !step.misunderstandings.empty() || step.stopped > 0;
         });
     if (!any) {
-        html += paragraph(ClassText::tr("Nothing was found."));
+        html += paragraph(FindingsText::tr("Nothing was found."));
         return;
     }
-    html +=
-        paragraph(ClassText::tr("How many students have a finding of that sort in that step; "
-                                "the stronger the colour, the larger their part of those who were "
-                                "judged. "
-                                "The examples are of one student each, without names and "
-                                "comments."));
+    html += paragraph(
+        FindingsText::tr("How many students have a finding of that sort in that step; "
+                         "the stronger the colour, the larger their part of those who were "
+                         "judged. "
+                         "The examples are of one student each, without names and "
+                         "comments."));
     writeHeat(html, summary);
     bool open = true;
     for (const ClassSummary::Step &step : summary.steps()) {
@@ -157,15 +158,15 @@ void writeChecks(QString &html, const ClassSummary &summary)
     }
     if (nobody.isEmpty() && everybody.isEmpty())
         return;
-    html += heading(ClassText::tr("Checks that tell nobody apart"));
-    html += paragraph(ClassText::tr("In brackets: how many were judged by it."));
+    html += heading(FindingsText::tr("Checks that tell nobody apart"));
+    html += paragraph(FindingsText::tr("In brackets: how many were judged by it."));
     if (!nobody.isEmpty())
         html += QStringLiteral("<h3>%1</h3>\n<ul>\n%2</ul>\n")
-                    .arg(escaped(ClassText::tr("Nobody passes")), nobody);
+                    .arg(escaped(FindingsText::tr("Nobody passes")), nobody);
     if (!everybody.isEmpty())
         html += QStringLiteral("<details class=\"printed\">\n<summary>%1</summary>\n<ul>\n%2</ul>\n"
                                "</details>\n")
-                    .arg(escaped(ClassText::tr("Everybody passes")), everybody);
+                    .arg(escaped(FindingsText::tr("Everybody passes")), everybody);
 }
 
 } // namespace cradle

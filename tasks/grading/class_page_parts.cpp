@@ -17,7 +17,7 @@ namespace cradle {
 
 namespace {
 
-struct ClassText {
+struct PartsText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
@@ -85,14 +85,14 @@ void writeStand(QString &html, const ClassSummary &summary)
 {
     if (summary.rows().empty())
         return;
-    html += heading(ClassText::tr("Where the class stands"));
+    html += heading(PartsText::tr("Where the class stands"));
     const auto all = static_cast<double>(summary.rows().size());
     const double height = barRow * static_cast<double>(summary.steps().size());
     const auto width = static_cast<int>(barStart + barWidth);
     html += QStringLiteral("<figure class=\"stand\"><svg viewBox=\"0 0 %1 %2\" width=\"%1\" "
                            "height=\"%2\" role=\"img\">\n<title>%3</title>\n")
                 .arg(QString::number(width), QString::number(height),
-                     escaped(ClassText::tr("How many pass each step")));
+                     escaped(PartsText::tr("How many pass each step")));
     double y = 0.0;
     for (const ClassSummary::Step &step : summary.steps()) {
         QString title = QStringLiteral("%1 · %2").arg(step.id, step.title);
@@ -122,10 +122,10 @@ void writeStand(QString &html, const ClassSummary &summary)
         y += barRow;
     }
     html += QStringLiteral("</svg>\n<figcaption class=\"key\">");
-    const std::pair<const char *, QString> key[] = {{"p", ClassText::tr("pass")},
-                                                    {"f", ClassText::tr("do not pass yet")},
-                                                    {"n", ClassText::tr("not graded")},
-                                                    {"m", ClassText::tr("not handed in")}};
+    const std::pair<const char *, QString> key[] = {{"p", PartsText::tr("pass")},
+                                                    {"f", PartsText::tr("do not pass yet")},
+                                                    {"n", PartsText::tr("not graded")},
+                                                    {"m", PartsText::tr("not handed in")}};
     for (const auto &[kind, text] : key)
         html += QStringLiteral("<svg width=\"12\" height=\"12\" aria-hidden=\"true\"><rect "
                                "class=\"%1\" width=\"12\" height=\"12\"/></svg> %2\n")
@@ -139,9 +139,9 @@ void writeEffort(QString &html, const ClassSummary &summary)
                                  [](const auto &step) { return !step.minutes.empty(); });
     if (!any)
         return;
-    html += heading(ClassText::tr("Checks and time on the way"));
+    html += heading(PartsText::tr("Checks and time on the way"));
     html +=
-        paragraph(ClassText::tr("Of those who handed in a history, as it says itself. Minutes are "
+        paragraph(PartsText::tr("Of those who handed in a history, as it says itself. Minutes are "
                                 "those in which the program changed, without pauses of more "
                                 "than ten; who thinks on paper shows none. A history of commits "
                                 "alone tells no checks."));
@@ -150,9 +150,9 @@ void writeEffort(QString &html, const ClassSummary &summary)
                        "<th class=\"number\">%2</th><th class=\"number\">%3</th>"
                        "<th class=\"number\">%4</th><th class=\"number\">%5</th></tr></thead>\n"
                        "<tbody>\n")
-            .arg(escaped(ClassText::tr("Step")), escaped(ClassText::tr("Students")),
-                 escaped(ClassText::tr("Checks, median")), escaped(ClassText::tr("Checks, most")),
-                 escaped(ClassText::tr("Minutes, median")));
+            .arg(escaped(PartsText::tr("Step")), escaped(PartsText::tr("Students")),
+                 escaped(PartsText::tr("Checks, median")), escaped(PartsText::tr("Checks, most")),
+                 escaped(PartsText::tr("Minutes, median")));
     for (const ClassSummary::Step &step : summary.steps()) {
         if (step.minutes.empty())
             continue;
@@ -172,16 +172,16 @@ void writeEffort(QString &html, const ClassSummary &summary)
 
 void writeAlike(QString &html, const ClassSummary &summary)
 {
-    html += heading(ClassText::tr("Programs that are alike"));
+    html += heading(PartsText::tr("Programs that are alike"));
     html += paragraph(
-        ClassText::tr("Compared token by token, whatever their names, comments and order "
+        PartsText::tr("Compared token by token, whatever their names, comments and order "
                       "(winnowing). What the lab gives is left out, and so is what more "
                       "than %1 students share. There are many good reasons for programs to be "
                       "alike: working together where that is allowed, the same book, the same "
                       "idea. A pair below proves nothing; read both, and ask.")
             .arg(summary.commonFrom()));
     if (summary.alike().empty()) {
-        html += paragraph(ClassText::tr("There are none."));
+        html += paragraph(PartsText::tr("There are none."));
         return;
     }
     for (const ClassSummary::Alike &pair : summary.alike()) {
@@ -189,7 +189,7 @@ void writeAlike(QString &html, const ClassSummary &summary)
         html += QStringLiteral("<details>\n<summary>%1 – %2 <span class=\"muted\">%3</span>"
                                "</summary>\n<div class=\"pair\">\n")
                     .arg(escapedName(pair.first), escapedName(pair.second),
-                         escaped(ClassText::tr("share %1 % of what the one with less has of their "
+                         escaped(PartsText::tr("share %1 % of what the one with less has of their "
                                                "own")
                                      .arg(part)));
         const std::array<QString, 3> sides[] = {{pair.first, pair.firstTask, pair.firstCode},
@@ -205,14 +205,14 @@ void writeWho(QString &html, const ClassSummary &summary)
 {
     if (summary.rows().empty())
         return;
-    html += heading(ClassText::tr("Who is where"));
+    html += heading(PartsText::tr("Who is where"));
     html +=
-        paragraph(ClassText::tr("✓ passes, ○ does not pass yet, · not handed in, ? not graded"));
+        paragraph(PartsText::tr("✓ passes, ○ does not pass yet, · not handed in, ? not graded"));
     html += QStringLiteral("<div class=\"wide\"><table class=\"who\">\n<thead><tr>"
                            "<th scope=\"col\">%1</th>%2<th scope=\"col\">%3</th>"
                            "<th scope=\"col\">%4</th></tr></thead>\n<tbody>\n")
-                .arg(escaped(ClassText::tr("Student")), headCells(summary.steps()),
-                     escaped(ClassText::tr("passed")), escaped(ClassText::tr("points")));
+                .arg(escaped(PartsText::tr("Student")), headCells(summary.steps()),
+                     escaped(PartsText::tr("passed")), escaped(PartsText::tr("points")));
     // Short, for there may be thousands: HTML closes cells by itself.
     for (const ClassSummary::Row &row : summary.rows()) {
         html +=

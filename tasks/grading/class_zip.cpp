@@ -27,7 +27,7 @@ struct ZipText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-constexpr zip_int64_t mostEntries = 200'000;
+constexpr zip_int64_t mostZipEntries = 200'000;
 constexpr qint64 mostFileBytes = 32 * 1024 * 1024;
 constexpr qint64 mostBytes = qint64(4) * 1024 * 1024 * 1024;
 
@@ -43,8 +43,8 @@ public:
     Result<QStringList> unpack()
     {
         const zip_int64_t count = zip_get_num_entries(m_archive, 0);
-        if (count > mostEntries)
-            return Error{ZipText::tr("there are more than %1 files in it").arg(mostEntries)};
+        if (count > mostZipEntries)
+            return Error{ZipText::tr("there are more than %1 files in it").arg(mostZipEntries)};
         for (zip_int64_t i = 0; i < count; ++i) {
             if (auto error = take(static_cast<zip_uint64_t>(i)))
                 return *error;

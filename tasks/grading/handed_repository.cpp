@@ -16,9 +16,9 @@ struct RepositoryText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-constexpr qint64 mostBytes = 32 * 1024 * 1024; ///< of all
-constexpr std::size_t mostFiles = 20'000;      ///< and folders
-constexpr int mostDepth = 8;
+constexpr qint64 mostRepositoryBytes = 32 * 1024 * 1024; ///< of all
+constexpr std::size_t mostRepositoryFiles = 20'000;      ///< and folders
+constexpr int deepestFolder = 8;
 
 class RepositoryReader
 {
@@ -39,7 +39,7 @@ public:
             if (isFolder(m_folder + '/' + folder))
                 walk(folder, 0);
         }
-        if (m_left >= 0 && m_seen <= mostFiles)
+        if (m_left >= 0 && m_seen <= mostRepositoryFiles)
             return std::move(m_files);
         return Error{.message = RepositoryText::tr("the history is too large to be looked at")};
     }
@@ -47,16 +47,16 @@ public:
 private:
     void walk(const QByteArray &below, int depth)
     {
-        const auto entries = entriesOf(m_folder + '/' + below, mostFiles);
+        const auto entries = entriesOf(m_folder + '/' + below, mostRepositoryFiles);
         if (!entries)
             return;
         for (const FolderEntry &entry : *entries) {
             const QByteArray path = below + '/' + entry.name;
-            if (entry.kind == FolderEntry::Kind::Folder && depth < mostDepth)
+            if (entry.kind == FolderEntry::Kind::Folder && depth < deepestFolder)
                 walk(path, depth + 1);
             else if (entry.kind == FolderEntry::Kind::File && isOfHistory(path))
                 take(path);
-            if (m_left < 0 || ++m_seen > mostFiles)
+            if (m_left < 0 || ++m_seen > mostRepositoryFiles)
                 return;
         }
     }
@@ -82,7 +82,7 @@ private:
     const QByteArray &m_root;
     const QByteArray &m_folder;
     RepositoryFiles m_files{};
-    qint64 m_left = mostBytes;
+    qint64 m_left = mostRepositoryBytes;
     std::size_t m_seen = 0;
 };
 

@@ -20,8 +20,8 @@ struct HandedZipText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-constexpr zip_int64_t mostEntries = 20'000; ///< a clone has some thousands of objects
-constexpr qsizetype mostFolders = 6;        ///< that lie in each other
+constexpr zip_int64_t mostHandedEntries = 20'000; ///< a clone has some thousands of objects
+constexpr qsizetype mostFolders = 6;              ///< that lie in each other
 
 } // namespace
 
@@ -38,8 +38,9 @@ Result<HandedZip> HandedZip::open(QByteArray bytes)
         return Error{HandedZipText::tr("this is no zip: %1").arg(QString::fromUtf8(error.text()))};
     (void)source.release(); // it is the archive's now
     const zip_int64_t count = zip_get_num_entries(zip.m_archive.get(), 0);
-    if (count > mostEntries)
-        return Error{HandedZipText::tr("there are more than %1 files in it").arg(mostEntries)};
+    if (count > mostHandedEntries)
+        return Error{
+            HandedZipText::tr("there are more than %1 files in it").arg(mostHandedEntries)};
     for (zip_int64_t i = 0; i < count; ++i)
         zip.take(static_cast<zip_uint64_t>(i));
     const auto byName = [](const Entry &a, const Entry &b) {

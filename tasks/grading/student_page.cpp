@@ -17,7 +17,7 @@ struct StudentText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
-const QString style = QStringLiteral(R"css(
+const QString studentStyle = QStringLiteral(R"css(
 .who { font-size: 1.05rem; margin: 0 0 1rem; }
 .sum { font-size: 1.25rem; font-weight: 600; margin: .75rem 0 .25rem; }
 .steps { width: 100%; } .steps td:first-child { white-space: nowrap; }
@@ -44,8 +44,8 @@ public:
     QByteArray write()
     {
         const QString name = m_student.name.isEmpty() ? m_student.id : m_student.name;
-        m_html =
-            pageStart(QStringLiteral("%1 – %2").arg(m_lab.title, name), m_facts.language, style);
+        m_html = pageStart(QStringLiteral("%1 – %2").arg(m_lab.title, name), m_facts.language,
+                           studentStyle);
         m_html += QStringLiteral("<header>\n<h1>%1</h1>\n").arg(escaped(m_lab.title));
         QStringList who{escapedName(name)};
         for (const QString &part : {m_student.number, m_facts.className}) {

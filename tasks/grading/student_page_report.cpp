@@ -16,7 +16,7 @@ namespace cradle {
 
 namespace {
 
-struct StudentText {
+struct StudentReportText {
     Q_DECLARE_TR_FUNCTIONS(Grading)
 };
 
@@ -29,12 +29,13 @@ void writeMoment(QString &html, const CheckReport &report, const StepMoment &mom
                      [&](const CheckOutcome &each) { return each.id == moment.check; });
     if (check == report.checks.end())
         return;
-    QString caption = moment.scene.time > 0.0
-                          ? StudentText::tr("“%1” first goes wrong here, at %2 s.")
-                                .arg(check->title, quantityText(moment.scene.time, 'f', 2))
-                          : StudentText::tr("“%1” goes wrong from the start.").arg(check->title);
+    QString caption =
+        moment.scene.time > 0.0
+            ? StudentReportText::tr("“%1” first goes wrong here, at %2 s.")
+                  .arg(check->title, quantityText(moment.scene.time, 'f', 2))
+            : StudentReportText::tr("“%1” goes wrong from the start.").arg(check->title);
     if (!check->variant.isEmpty() && check->variant != QLatin1String("preset"))
-        caption += QLatin1Char(' ') + StudentText::tr("Scene: %1.").arg(check->variant);
+        caption += QLatin1Char(' ') + StudentReportText::tr("Scene: %1.").arg(check->variant);
     html += QStringLiteral("<figure class=\"scene\">\n%1<figcaption>%2</figcaption>\n"
                            "</figure>\n")
                 .arg(QString::fromUtf8(sceneSvg(moment.scene)), escaped(caption));
@@ -43,14 +44,16 @@ void writeMoment(QString &html, const CheckReport &report, const StepMoment &mom
 void writeError(QString &html, const StepResult &step, const ProgramError &error)
 {
     const bool loads = error.step > 0;
-    html += paragraph(loads ? StudentText::tr("The program stopped in step %1 of a scene, at %2 s.")
-                                  .arg(error.step)
-                                  .arg(quantityText(error.time, 'g', 4))
-                            : StudentText::tr("The program does not load."));
+    html += paragraph(
+        loads ? StudentReportText::tr("The program stopped in step %1 of a scene, at %2 s.")
+                    .arg(error.step)
+                    .arg(quantityText(error.time, 'g', 4))
+              : StudentReportText::tr("The program does not load."));
     html += QStringLiteral("<pre class=\"message\">%1</pre>\n")
-                .arg(escaped(error.line > 0
-                                 ? StudentText::tr("line %1: %2").arg(error.line).arg(error.message)
-                                 : error.message));
+                .arg(escaped(
+                    error.line > 0
+                        ? StudentReportText::tr("line %1: %2").arg(error.line).arg(error.message)
+                        : error.message));
     html += codeAround(step.program, error.line);
     QStringList values;
     for (const ProgramValue &local : error.locals) {
@@ -59,8 +62,9 @@ void writeError(QString &html, const StepResult &step, const ProgramError &error
                               .arg(escaped(local.name), escaped(local.value)));
     }
     if (!values.isEmpty())
-        html += QStringLiteral("<p>%1 %2</p>\n")
-                    .arg(escaped(StudentText::tr("There:")), values.join(QStringLiteral(", ")));
+        html +=
+            QStringLiteral("<p>%1 %2</p>\n")
+                .arg(escaped(StudentReportText::tr("There:")), values.join(QStringLiteral(", ")));
 }
 
 void writeFinding(QString &html, const StepResult &step, const Finding &finding, std::size_t index)
@@ -73,12 +77,13 @@ void writeFinding(QString &html, const StepResult &step, const Finding &finding,
                      markdownHtml(belowHeadline(finding.message)));
     const QString code = codeAround(step.program, finding.line);
     if (!code.isEmpty())
-        html += paragraph(StudentText::tr("Look at line %1 of your program.").arg(finding.line));
+        html +=
+            paragraph(StudentReportText::tr("Look at line %1 of your program.").arg(finding.line));
     if (!finding.calls.empty()) {
         QStringList lines;
         for (const int line : finding.calls)
             lines.append(QString::number(line));
-        html += paragraph(StudentText::tr("It is reached by the calls in line %1.")
+        html += paragraph(StudentReportText::tr("It is reached by the calls in line %1.")
                               .arg(lines.join(QStringLiteral(", "))),
                           "muted");
     }
@@ -94,7 +99,7 @@ void writeChecks(QString &html, const Task &task, const CheckReport &report)
 {
     html += QStringLiteral("<table class=\"checks\">\n<caption class=\"muted\">%1</caption>\n"
                            "<tbody>\n")
-                .arg(escaped(StudentText::tr("The checks of this step")));
+                .arg(escaped(StudentReportText::tr("The checks of this step")));
     for (const CheckOutcome &check : report.checks) {
         QString text = escaped(check.title);
         if ((!check.passed || check.forTeacher) && !check.message.isEmpty())
@@ -104,10 +109,10 @@ void writeChecks(QString &html, const Task &task, const CheckReport &report)
         html +=
             QStringLiteral("<tr><td aria-label=\"%1\">%2</td><td>%3</td>"
                            "<td class=\"number\">%4</td></tr>\n")
-                .arg(escaped(check.passed ? StudentText::tr("passed")
-                                          : StudentText::tr("did not pass")),
+                .arg(escaped(check.passed ? StudentReportText::tr("passed")
+                                          : StudentReportText::tr("did not pass")),
                      check.passed ? QStringLiteral("✓") : QStringLiteral("✗"), text,
-                     escaped(StudentText::tr("%1 of %2")
+                     escaped(StudentReportText::tr("%1 of %2")
                                  .arg(countText(check.passed ? worth : 0.0), countText(worth))));
     }
     html += QStringLiteral("</tbody>\n</table>\n");

@@ -24,9 +24,9 @@ struct ReadingText {
 // Far above what a lab, or a program that means no harm, comes to.
 constexpr qsizetype nameLetters = 400;
 constexpr qsizetype messageLetters = 100'000;
-constexpr qsizetype mostSteps = 200;
+constexpr qsizetype mostReadSteps = 200;
 constexpr qsizetype mostChecks = 1'000;
-constexpr qsizetype mostListed = 200; ///< findings, remarks, calls, local variables
+constexpr qsizetype mostReadEntries = 200; ///< findings, remarks, calls, local variables
 constexpr qint64 mostLine = 1'000'000;
 constexpr qint64 mostStep = std::numeric_limits<int>::max();
 constexpr double mostNumber = std::numeric_limits<double>::max();
@@ -77,7 +77,7 @@ Finding readFinding(JsonFields json)
         finding.aspect = *aspect;
     else
         json.refuse(QStringLiteral("aspect"), ReadingText::tr("there is no such aspect"));
-    for (const QJsonValue &line : json.list("calls", mostListed))
+    for (const QJsonValue &line : json.list("calls", mostReadEntries))
         finding.calls.push_back(line.toInt());
     return finding;
 }
@@ -92,7 +92,7 @@ ProgramError readError(JsonFields json)
         error.kind = *kind;
     else
         json.refuse(QStringLiteral("kind"), ReadingText::tr("there is no such kind of error"));
-    for (const QJsonValue &local : json.list("locals", mostListed))
+    for (const QJsonValue &local : json.list("locals", mostReadEntries))
         error.locals.push_back({local.toArray().at(0).toString().left(nameLetters),
                                 local.toArray().at(1).toString().left(messageLetters)});
     return error;
@@ -100,7 +100,7 @@ ProgramError readError(JsonFields json)
 
 /// Reads every element of a list by \p read.
 template <typename Value, typename Read>
-std::vector<Value> readAll(JsonFields &json, const char *key, qsizetype most, Read read)
+std::vector<Value> readEach(JsonFields &json, const char *key, qsizetype most, Read read)
 {
     std::vector<Value> values;
     qsizetype index = 0;
@@ -121,9 +121,9 @@ CheckReport readReport(JsonFields json)
                        .passed = json.flag("passed"),
                        .byProgram = json.text("moved_by", nameLetters) == QLatin1String("program"),
                        .commit = json.text("commit", messageLetters)};
-    report.checks = readAll<CheckOutcome>(json, "checks", mostChecks, readCheck);
-    report.findings = readAll<Finding>(json, "findings", mostListed, readFinding);
-    report.remarks = readAll<Remark>(json, "remarks", mostListed, [](JsonFields remark) {
+    report.checks = readEach<CheckOutcome>(json, "checks", mostChecks, readCheck);
+    report.findings = readEach<Finding>(json, "findings", mostReadEntries, readFinding);
+    report.remarks = readEach<Remark>(json, "remarks", mostReadEntries, [](JsonFields remark) {
         return Remark{remark.text("id", nameLetters), remark.text("message", messageLetters)};
     });
     if (json.has("error"))
@@ -162,7 +162,7 @@ StepMoment readMoment(JsonFields json)
     StepMoment moment{.check = json.text("check", nameLetters)};
     moment.scene.halfWidth = json.number("half_width", limits::minLength, limits::maxLength);
     moment.scene.time = json.number("time", 0.0, mostNumber);
-    moment.scene.bodies = readAll<DrawnMoment::Body>(
+    moment.scene.bodies = readEach<DrawnMoment::Body>(
         json, "circles", static_cast<qsizetype>(mostBodiesOfMoment), readBody);
     return moment;
 }
@@ -185,7 +185,7 @@ StepResult readStep(JsonFields json)
     if (json.has("report"))
         step.report = readReport(JsonFields(json, QStringLiteral("report")));
     step.moments =
-        readAll<StepMoment>(json, "moments", static_cast<qsizetype>(mostMoments), readMoment);
+        readEach<StepMoment>(json, "moments", static_cast<qsizetype>(mostMoments), readMoment);
     const bool passed = step.status == StepResult::Status::Passed;
     if (passed != (step.report && step.report->passed))
         json.refuse(QStringLiteral("status"),
@@ -237,7 +237,7 @@ Result<StudentResult> readStudentResult(const QByteArray &text, const QString &s
                          .remark = json.text("remark", messageLetters)};
     if (who.has("platform"))
         result.platform = platformFrom(who.text("platform", nameLetters));
-    result.steps = readAll<StepResult>(json, "steps", mostSteps, readStep);
+    result.steps = readEach<StepResult>(json, "steps", mostReadSteps, readStep);
     if (json.fault())
         return *json.fault();
     return result;

@@ -13,12 +13,6 @@ namespace cradle {
 
 namespace {
 
-bool isOneOf(const QString &kind, std::initializer_list<const char *> names)
-{
-    return std::any_of(names.begin(), names.end(),
-                       [&](const char *name) { return kind == QLatin1String(name); });
-}
-
 bool looksAtOwnScene(const CheckSpec &check)
 {
     return check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"))
@@ -123,6 +117,12 @@ private:
 };
 
 } // namespace
+
+bool isOneOf(const QString &kind, std::initializer_list<const char *> names)
+{
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char *name) { return kind == QLatin1String(name); });
+}
 
 AskedLaws askedLaws(const Task &task)
 {

@@ -4,6 +4,8 @@
 
 #include "tasks/lab/lab.h"
 
+#include <initializer_list>
+
 namespace cradle {
 
 /// What the checks of a step themselves say of the right laws. A lab that came to students without
@@ -15,6 +17,9 @@ struct AskedLaws {
     bool walls = false;  ///< how walls turn them
     bool pair = false;   ///< when two count as touching, and what a hit does
 };
+
+/// Whether \p kind is that of a check among \p names.
+[[nodiscard]] bool isOneOf(const QString &kind, std::initializer_list<const char *> names);
 
 [[nodiscard]] AskedLaws askedLaws(const Task &task);
 

@@ -26,12 +26,6 @@ void addOnce(std::vector<Value> &all, const Value &value, std::size_t most = 100
         all.push_back(value);
 }
 
-bool isOneOf(const QString &kind, std::initializer_list<const char *> names)
-{
-    return std::any_of(names.begin(), names.end(),
-                       [&](const char *name) { return kind == QLatin1String(name); });
-}
-
 /// The gravity of the step's own scene: what the reference makes of it.
 Vec2 ownGravity(const Task &task)
 {

@@ -12,11 +12,11 @@ namespace cradle {
 
 namespace {
 
-struct ResponseText {
+struct ResponseLawText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
 
-constexpr double blur = 5e-3; ///< of a velocity: the line of centres turns a little in a step
+constexpr double hitBlur = 5e-3; ///< of a velocity: the line of centres turns a little in a step
 
 /// World velocities taken apart along the line of centres.
 PairVelocities apart(const EqualHit &h, Vec2 v1, Vec2 v2)
@@ -65,92 +65,95 @@ using Hit = const EqualHit &;
 /// Each circle by itself, or none of them.
 std::vector<ResponseLaw> separateLaws()
 {
-    const QString both = ResponseText::tr("A hit acts on both circles.");
+    const QString both = ResponseLawText::tr("A hit acts on both circles.");
     const QString wall =
-        ResponseText::tr("Nobody holds the other circle as a wall is held: look at "
-                         "what each circle gets of the other.");
+        ResponseLawText::tr("Nobody holds the other circle as a wall is held: look at "
+                            "what each circle gets of the other.");
     return {
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2};
          },
-         ResponseText::tr("A hit leaves circle 2 as it was"), both, true},
+         ResponseLawText::tr("A hit leaves circle 2 as it was"), both, true},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, h.right.along2, h.right.across2};
          },
-         ResponseText::tr("A hit leaves circle 1 as it was"), both, true},
-        {[](Hit) { return PairVelocities{}; }, ResponseText::tr("A hit stops both circles"),
-         ResponseText::tr("That was right in the step that only looked for the contact.")},
+         ResponseLawText::tr("A hit leaves circle 1 as it was"), both, true},
+        {[](Hit) { return PairVelocities{}; }, ResponseLawText::tr("A hit stops both circles"),
+         ResponseLawText::tr("That was right in the step that only looked for the contact.")},
         {[](Hit h) {
              return PairVelocities{0, 0, h.in.along2, h.in.across2};
          },
-         ResponseText::tr("A hit stops circle 1 and leaves circle 2 as it was"), both},
+         ResponseLawText::tr("A hit stops circle 1 and leaves circle 2 as it was"), both},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, 0, 0};
          },
-         ResponseText::tr("A hit stops circle 2 and leaves circle 1 as it was"), both},
+         ResponseLawText::tr("A hit stops circle 2 and leaves circle 1 as it was"), both},
         {[](Hit h) {
              return PairVelocities{-h.in.along1, -h.in.across1, -h.in.along2, -h.in.across2};
          },
-         ResponseText::tr("Each circle is turned back on its own way"), wall},
+         ResponseLawText::tr("Each circle is turned back on its own way"), wall},
         {[](Hit h) {
              return PairVelocities{-h.in.along1, h.in.across1, -h.in.along2, h.in.across2};
          },
-         ResponseText::tr("Each circle bounces as off a wall"), wall},
+         ResponseLawText::tr("Each circle bounces as off a wall"), wall},
         {[](Hit h) {
              return PairVelocities{-h.in.along1, h.in.across1, h.right.along2, h.right.across2};
          },
-         ResponseText::tr("Circle 1 bounces as off a wall"), wall},
+         ResponseLawText::tr("Circle 1 bounces as off a wall"), wall},
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1, -h.in.along2, h.in.across2};
          },
-         ResponseText::tr("Circle 2 bounces as off a wall"), wall},
+         ResponseLawText::tr("Circle 2 bounces as off a wall"), wall},
         {[](Hit h) {
              return PairVelocities{-h.in.along1, h.in.across1, h.in.along2, h.in.across2};
          },
-         ResponseText::tr("Circle 1 bounces as off a wall, and circle 2 stays as it was"), both},
+         ResponseLawText::tr("Circle 1 bounces as off a wall, and circle 2 stays as it was"), both},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, -h.in.along2, h.in.across2};
          },
-         ResponseText::tr("Circle 2 bounces as off a wall, and circle 1 stays as it was"), both},
+         ResponseLawText::tr("Circle 2 bounces as off a wall, and circle 1 stays as it was"), both},
         {[](Hit h) {
              return PairVelocities{h.in.along1, -h.in.across1, h.in.along2, -h.in.across2};
          },
-         ResponseText::tr("The parts across the line of centres turn round, not those along it"),
-         ResponseText::tr("The push acts along the line of centres.")}};
+         ResponseLawText::tr("The parts across the line of centres turn round, not those along it"),
+         ResponseLawText::tr("The push acts along the line of centres.")}};
 }
 
 /// What changes hands.
 std::vector<ResponseLaw> exchangeLaws()
 {
-    const QString both = ResponseText::tr("The other one leaves as it should. Look at what is "
-                                          "worked out for this one.");
-    const QString along = ResponseText::tr("A smooth circle pushes along the line of centres only; "
-                                           "each keeps its own part across.");
+    const QString both = ResponseLawText::tr("The other one leaves as it should. Look at what is "
+                                             "worked out for this one.");
+    const QString along =
+        ResponseLawText::tr("A smooth circle pushes along the line of centres only; "
+                            "each keeps its own part across.");
     const QString old =
-        ResponseText::tr("Both new velocities come from those *before* the hit: look "
-                         "at which lines read a velocity that has been written.");
+        ResponseLawText::tr("Both new velocities come from those *before* the hit: look "
+                            "at which lines read a velocity that has been written.");
     return {
         {[](Hit h) {
              return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
          },
-         ResponseText::tr("The whole velocities change hands, not only the parts along the normal"),
+         ResponseLawText::tr(
+             "The whole velocities change hands, not only the parts along the normal"),
          along},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1};
          },
-         ResponseText::tr("The parts across change hands, and those along the normal stay"), along},
+         ResponseLawText::tr("The parts across change hands, and those along the normal stay"),
+         along},
         {[](Hit h) {
              return PairVelocities{h.in.along2, 0, h.in.along1, 0};
          },
-         ResponseText::tr("The parts across the normal are lost"), along},
+         ResponseLawText::tr("The parts across the normal are lost"), along},
         {[](Hit h) {
              return PairVelocities{h.in.along2, h.in.across2, h.in.along2, h.in.across2};
          },
-         ResponseText::tr("Both circles leave with the velocity of circle 2"), old},
+         ResponseLawText::tr("Both circles leave with the velocity of circle 2"), old},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across1};
          },
-         ResponseText::tr("Both circles leave with the velocity of circle 1"), old},
+         ResponseLawText::tr("Both circles leave with the velocity of circle 1"), old},
         // Δv is the closing speed, then that with the new velocity of the other, times one factor.
         {[](Hit h) {
              const double share = (h.right.along2 - h.in.along2) / (h.in.along1 - h.in.along2);
@@ -158,133 +161,141 @@ std::vector<ResponseLaw> exchangeLaws()
                                    h.in.along2 + share * (h.right.along1 - h.in.along2),
                                    h.in.across2};
          },
-         ResponseText::tr("The velocity of circle 2 is worked out from what circle 1 has become"),
+         ResponseLawText::tr(
+             "The velocity of circle 2 is worked out from what circle 1 has become"),
          old, true},
         {[](Hit h) {
              const double share = (h.in.along1 - h.right.along1) / (h.in.along1 - h.in.along2);
              return PairVelocities{h.in.along1 - share * (h.in.along1 - h.right.along2),
                                    h.in.across1, h.right.along2, h.right.across2};
          },
-         ResponseText::tr("The velocity of circle 1 is worked out from what circle 2 has become"),
+         ResponseLawText::tr(
+             "The velocity of circle 1 is worked out from what circle 2 has become"),
          old, true},
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1, h.in.along2, h.in.across2};
          },
-         ResponseText::tr("Of two equal circles circle 2 leaves a hit as it came"), both},
+         ResponseLawText::tr("Of two equal circles circle 2 leaves a hit as it came"), both},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, h.right.along2, h.right.across2};
          },
-         ResponseText::tr("Of two equal circles circle 1 leaves a hit as it came"), both},
+         ResponseLawText::tr("Of two equal circles circle 1 leaves a hit as it came"), both},
         {[](Hit h) {
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              return PairVelocities{n, h.in.across1, n, h.in.across2};
          },
-         ResponseText::tr(
+         ResponseLawText::tr(
              "After an elastic hit both circles have the same velocity along the normal"),
-         ResponseText::tr("They go on side by side and do not part: each gets only half of the "
-                          "change that an elastic hit makes. Look at the factor in front.")},
+         ResponseLawText::tr("They go on side by side and do not part: each gets only half of the "
+                             "change that an elastic hit makes. Look at the factor in front.")},
         {[](Hit h) {
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              const double t = 0.5 * (h.in.across1 + h.in.across2);
              return PairVelocities{n, t, n, t};
          },
-         ResponseText::tr("After a hit both circles have the same velocity"), along},
+         ResponseLawText::tr("After a hit both circles have the same velocity"), along},
         {[](Hit h) {
              return PairVelocities{0, h.in.across1, h.in.along1 + h.in.along2, h.in.across2};
          },
-         ResponseText::tr("The part of circle 2 along the normal is forgotten"),
-         ResponseText::tr("Circle 1 gives its part away and gets nothing for it.")},
+         ResponseLawText::tr("The part of circle 2 along the normal is forgotten"),
+         ResponseLawText::tr("Circle 1 gives its part away and gets nothing for it.")},
         {[](Hit h) {
              return PairVelocities{h.in.along1 + h.in.along2, h.in.across1, 0, h.in.across2};
          },
-         ResponseText::tr("The part of circle 1 along the normal is forgotten"),
-         ResponseText::tr("Circle 2 gives its part away and gets nothing for it.")},
+         ResponseLawText::tr("The part of circle 1 along the normal is forgotten"),
+         ResponseLawText::tr("Circle 2 gives its part away and gets nothing for it.")},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, h.in.along1 + h.in.along2,
                                    h.in.across2};
          },
-         ResponseText::tr("Circle 1 keeps the part that it hands over"),
-         ResponseText::tr("What circle 2 gets, circle 1 must lose.")},
+         ResponseLawText::tr("Circle 1 keeps the part that it hands over"),
+         ResponseLawText::tr("What circle 2 gets, circle 1 must lose.")},
         {[](Hit h) {
              return PairVelocities{-h.in.along2, h.in.across1, -h.in.along1, h.in.across2};
          },
-         ResponseText::tr("The parts along the normal change hands and are turned round as well"),
-         ResponseText::tr("The exchange alone is the whole answer.")},
+         ResponseLawText::tr(
+             "The parts along the normal change hands and are turned round as well"),
+         ResponseLawText::tr("The exchange alone is the whole answer.")},
         {[](Hit h) {
              return PairVelocities{2.0 * h.in.along1 - h.right.along1, h.right.across1,
                                    h.right.along2, h.right.across2};
          },
-         ResponseText::tr("The push on circle 1 has the wrong sign"),
-         ResponseText::tr("It gains the part that it should lose.")},
+         ResponseLawText::tr("The push on circle 1 has the wrong sign"),
+         ResponseLawText::tr("It gains the part that it should lose.")},
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1,
                                    2.0 * h.in.along2 - h.right.along2, h.right.across2};
          },
-         ResponseText::tr("The push on circle 2 has the wrong sign"),
-         ResponseText::tr("It loses the part that it should gain.")},
-        {[](Hit h) { return pushed(h, -1.0); }, ResponseText::tr("Both pushes have the wrong sign"),
-         ResponseText::tr("The circles are drawn into each other.")}};
+         ResponseLawText::tr("The push on circle 2 has the wrong sign"),
+         ResponseLawText::tr("It loses the part that it should gain.")},
+        {[](Hit h) { return pushed(h, -1.0); },
+         ResponseLawText::tr("Both pushes have the wrong sign"),
+         ResponseLawText::tr("The circles are drawn into each other.")}};
 }
 
 /// Directions other than the line of centres, and lengths other than 1.
 std::vector<ResponseLaw> directionLaws()
 {
-    const QString unit = ResponseText::tr("A direction has length 1: divide it by its own length, "
-                                          "else its length comes into the push, and twice.");
-    const QString line = ResponseText::tr("The push acts along the line from centre to centre.");
+    const QString unit =
+        ResponseLawText::tr("A direction has length 1: divide it by its own length, "
+                            "else its length comes into the push, and twice.");
+    const QString line = ResponseLawText::tr("The push acts along the line from centre to centre.");
     return {
         {[](Hit h) {
              return pushed(h,
                            0.25 * (h.hit.before + h.hit.reached) * (h.hit.before + h.hit.reached));
          },
-         ResponseText::tr("The normal does not have length 1"), unit},
+         ResponseLawText::tr("The normal does not have length 1"), unit},
         {[](Hit h) { return pushed(h, 0.5 * (h.hit.before + h.hit.reached)); },
-         ResponseText::tr("The normal has length 1 in one place and not in the other"), unit},
+         ResponseLawText::tr("The normal has length 1 in one place and not in the other"), unit},
         {[](Hit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
-         ResponseText::tr("The perpendicular of the line of centres is taken for the normal"),
+         ResponseLawText::tr("The perpendicular of the line of centres is taken for the normal"),
          line},
         {[](Hit h) {
              return exchangedAlong(h, {h.hit.normal.y, h.hit.normal.x});
          },
-         ResponseText::tr("The parts x and y of the normal are exchanged"),
-         ResponseText::tr("Where an angle is used: `math.atan` takes y first, then x.")},
+         ResponseLawText::tr("The parts x and y of the normal are exchanged"),
+         ResponseLawText::tr("Where an angle is used: `math.atan` takes y first, then x.")},
         {[](Hit h) {
              return exchangedAlong(h, {h.hit.normal.x, -h.hit.normal.y});
          },
-         ResponseText::tr("The normal is mirrored: the sign of its y is wrong"), line},
+         ResponseLawText::tr("The normal is mirrored: the sign of its y is wrong"), line},
         {[](Hit h) { return exchangedAlong(h, normalized(h.hit.came1)); },
-         ResponseText::tr("The push acts along the velocity of circle 1"), line},
+         ResponseLawText::tr("The push acts along the velocity of circle 1"), line},
         {[](Hit h) {
              return exchangedAlong(h, {1.0, 0.0});
          },
-         ResponseText::tr("The x parts change hands, not those along the line of centres"), line},
+         ResponseLawText::tr("The x parts change hands, not those along the line of centres"),
+         line},
         {[](Hit h) {
              return exchangedAlong(h, {0.0, 1.0});
          },
-         ResponseText::tr("The y parts change hands, not those along the line of centres"), line},
+         ResponseLawText::tr("The y parts change hands, not those along the line of centres"),
+         line},
         {[](Hit h) {
              const double back = -2.0 * angleOf(h);
              return apart(h, rotated(together(h, h.right.along1, h.right.across1), back),
                           rotated(together(h, h.right.along2, h.right.across2), back));
          },
-         ResponseText::tr("The new velocities are turned back by the wrong angle"),
-         ResponseText::tr("Who turns by −φ before must turn by +φ afterwards.")},
+         ResponseLawText::tr("The new velocities are turned back by the wrong angle"),
+         ResponseLawText::tr("Who turns by −φ before must turn by +φ afterwards.")},
         {[](Hit h) {
              const double back = -angleOf(h);
              return apart(h, rotated(together(h, h.right.along1, h.right.across1), back),
                           rotated(together(h, h.right.along2, h.right.across2), back));
          },
-         ResponseText::tr("The new velocities are not turned back"),
-         ResponseText::tr("They are still taken apart along the line of centres: put them together "
-                          "again.")}};
+         ResponseLawText::tr("The new velocities are not turned back"),
+         ResponseLawText::tr(
+             "They are still taken apart along the line of centres: put them together "
+             "again.")}};
 }
 
 } // namespace
 
 bool isSameAnswer(const PairVelocities &a, const PairVelocities &b)
 {
-    return isAlike(a.along1, b.along1, blur) && isAlike(a.across1, b.across1, blur)
-           && isAlike(a.along2, b.along2, blur) && isAlike(a.across2, b.across2, blur);
+    return isAlike(a.along1, b.along1, hitBlur) && isAlike(a.across1, b.across1, hitBlur)
+           && isAlike(a.along2, b.along2, hitBlur) && isAlike(a.across2, b.across2, hitBlur);
 }
 
 bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits)

@@ -10,7 +10,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double kick = 1e-6; ///< of a velocity, relative: what no rounding makes
+constexpr double wallKick = 1e-6; ///< of a velocity, relative: what no rounding makes
 /// Of the slowest, m/s. Where e is varied a program may well keep so slow a circle at rest.
 constexpr double creepingSpeed = 0.12;
 constexpr double creepingWithLosses = 0.3;
@@ -148,7 +148,7 @@ Drop WallRange::lob(int circle, double e, double speed) const
             break;
         const double free = flight.after(before, h).velocity.y;
         if (before.velocity.y < 0.0 && free < 0.0
-            && probe.circle(circle).velocity.y > kick * (1.0 - free)) {
+            && probe.circle(circle).velocity.y > wallKick * (1.0 - free)) {
             ++lob.again;
             lob.step = lob.step == 0 ? k : lob.step;
         }
@@ -183,7 +183,7 @@ Drop WallRange::drop(int circle, double e, double height) const
         const double free = flight.after(before, m_usual).velocity.y;
         const bool isLow = before.position.y < -preset.halfWidth + 2.0 * before.radius;
         if (isLow && before.velocity.y > 0.0 && free > 0.0
-            && after.velocity.y < -kick * (1.0 + free)) {
+            && after.velocity.y < -wallKick * (1.0 + free)) {
             ++drop.again;
             drop.step = drop.step == 0 ? k : drop.step;
         }
@@ -285,7 +285,7 @@ void WallRange::watch(WallHit &hit, bool corner) const
         const Motion free = flight.after(c, m_h);
         const Circle &now = probe.circle(hit.circle);
         const bool turned =
-            length(now.velocity - free.velocity) > kick * (1.0 + length(free.velocity));
+            length(now.velocity - free.velocity) > wallKick * (1.0 + length(free.velocity));
         const bool moved = length(now.position - free.position) > 1e-7;
         if (!turned && !moved)
             continue;

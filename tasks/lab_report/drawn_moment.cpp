@@ -25,7 +25,7 @@ constexpr std::size_t mostOfOneWay = 200; ///< points
 
 // As the window has them in light.
 const QString background = QStringLiteral("#f0f8ff");
-const QString ink = QStringLiteral("#212529");
+const QString momentInk = QStringLiteral("#212529");
 const QString wallColour = QStringLiteral("#1e90ff");
 
 QString colourOf(const Preset &scene, std::size_t index)
@@ -125,12 +125,13 @@ QByteArray sceneSvg(const DrawnMoment &moment)
         ++number;
         if (!isSeen(body.position, moment.halfWidth))
             continue;
-        picture.circle(place(body.position), place.length(body.radius), body.colour, {ink, 0.8});
+        picture.circle(place(body.position), place.length(body.radius), body.colour,
+                       {momentInk, 0.8});
         picture.arrow(place(body.position), place(body.position + body.velocity * arrowSeconds),
-                      ink);
+                      momentInk);
         if (moment.bodies.size() <= 4)
             picture.text(place(body.position) + Vec2{0.0, -place.length(body.radius) - 4.0},
-                         QString::number(number), 11.0, ink, SvgPicture::Anchor::Middle);
+                         QString::number(number), 11.0, momentInk, SvgPicture::Anchor::Middle);
     }
     return picture.toSvg();
 }

@@ -13,7 +13,7 @@ namespace cradle {
 
 namespace {
 
-struct PageText {
+struct HtmlText {
     Q_DECLARE_TR_FUNCTIONS(LabReport)
 };
 
@@ -128,13 +128,13 @@ private:
         addText("p", who.join(QStringLiteral(" · ")));
         addText(
             "p",
-            PageText::tr("%1 of %2 steps pass. Every step was judged anew for this report, "
+            HtmlText::tr("%1 of %2 steps pass. Every step was judged anew for this report, "
                          "by version %3 of the lab.")
                 .arg(m_report.passedCount())
                 .arg(m_report.steps.size())
                 .arg(m_report.labVersion.isEmpty() ? QStringLiteral("?") : m_report.labVersion));
         if (!m_report.noteToTeacher.trimmed().isEmpty()) {
-            addText("h3", PageText::tr("To the teacher"));
+            addText("h3", HtmlText::tr("To the teacher"));
             for (const QString &line : m_report.noteToTeacher.split(QLatin1Char('\n')))
                 addText("p", line);
         }
@@ -158,15 +158,15 @@ private:
     {
         switch (step.verdict) {
         case StepVerdict::Passed:
-            return PageText::tr("✓ passes");
+            return HtmlText::tr("✓ passes");
         case StepVerdict::NotPassed:
-            return PageText::tr("does not pass yet");
+            return HtmlText::tr("does not pass yet");
         case StepVerdict::Stopped:
-            return PageText::tr("stops with an error");
+            return HtmlText::tr("stops with an error");
         case StepVerdict::NotDone:
             break;
         }
-        return PageText::tr("not done");
+        return HtmlText::tr("not done");
     }
 
     void writeStep(const StepReport &step)
@@ -180,7 +180,7 @@ private:
         addText("p", step.asked);
         const QString checks =
             step.attempts > 0
-                ? QStringLiteral(" · ") + PageText::tr("Checks: %1").arg(step.attempts)
+                ? QStringLiteral(" · ") + HtmlText::tr("Checks: %1").arg(step.attempts)
                 : QString();
         add(QStringLiteral("<p class=\"%1\"><b>%2</b>%3</p>")
                 .arg(classOf(step), verdictText(step).toHtmlEscaped(), checks.toHtmlEscaped()));
@@ -190,7 +190,7 @@ private:
         writeRun(step);
         writeChange(step);
         if (!step.note.trimmed().isEmpty()) {
-            addText("h3", PageText::tr("Notes"));
+            addText("h3", HtmlText::tr("Notes"));
             addMarkdown(step.note);
         }
     }
@@ -199,7 +199,7 @@ private:
     {
         if (step.met.empty())
             return;
-        addText("h3", PageText::tr("Found on the way"));
+        addText("h3", HtmlText::tr("Found on the way"));
         QString items;
         for (const StepReport::Met &met : step.met)
             items += QStringLiteral("<li>%1 (%2×)</li>\n")
@@ -211,10 +211,10 @@ private:
     {
         if (step.question.isEmpty() || step.verdict == StepVerdict::NotDone)
             return;
-        addText("h3", PageText::tr("Expected and found"));
+        addText("h3", HtmlText::tr("Expected and found"));
         addMarkdown(step.question);
-        const QString right = PageText::tr("What happens: %1").arg(step.right).toHtmlEscaped();
-        const QString expected = PageText::tr("Expected: %1").arg(step.expected).toHtmlEscaped()
+        const QString right = HtmlText::tr("What happens: %1").arg(step.right).toHtmlEscaped();
+        const QString expected = HtmlText::tr("Expected: %1").arg(step.expected).toHtmlEscaped()
                                  + (step.wasRight ? QStringLiteral(" ✓") : QString());
         add(QStringLiteral("<p>%1</p>")
                 .arg(step.expected.isEmpty() ? right : expected + QStringLiteral("<br>") + right));
@@ -224,7 +224,7 @@ private:
     {
         if (step.scene.isEmpty())
             return;
-        addText("h3", PageText::tr("The run"));
+        addText("h3", HtmlText::tr("The run"));
         add(QStringLiteral("<table><tr><td>"));
         draw(step.scene, 300, 300, 75);
         add(QStringLiteral("</td><td>"));
@@ -239,9 +239,9 @@ private:
     {
         if (!step.byProgram || step.verdict == StepVerdict::NotDone)
             return;
-        addText("h3", PageText::tr("What changed in the program"));
+        addText("h3", HtmlText::tr("What changed in the program"));
         if (step.change.empty()) {
-            addText("p", PageText::tr("Nothing: it is the program of the step before."));
+            addText("p", HtmlText::tr("Nothing: it is the program of the step before."));
             return;
         }
         add(changeTable(step.change));
@@ -255,8 +255,8 @@ private:
                                    ? QStringLiteral(" style=\"page-break-before: always\"")
                                    : QString();
         add(QStringLiteral("<h2%1>%2</h2>")
-                .arg(breaks, PageText::tr("Looking back").toHtmlEscaped()));
-        addText("p", PageText::tr("The energy of the runs above in one chart, each as a part of "
+                .arg(breaks, HtmlText::tr("Looking back").toHtmlEscaped()));
+        addText("p", HtmlText::tr("The energy of the runs above in one chart, each as a part of "
                                   "what it started with. A law that keeps energy draws a straight "
                                   "line at 1; what lies above was made by the program, what lies "
                                   "below was lost."));

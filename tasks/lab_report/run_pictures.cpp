@@ -14,14 +14,14 @@ namespace cradle {
 
 namespace {
 
-struct PictureText {
+struct RunPictureText {
     Q_DECLARE_TR_FUNCTIONS(LabReport)
 };
 
 constexpr double quietMoment = 1.0; ///< s after the start, where nothing hits
 
 // As the window has them in light.
-const QString ink = QStringLiteral("#212529");
+const QString pictureInk = QStringLiteral("#212529");
 const QString kinetic = QStringLiteral("#1971c2");
 const QString potential = QStringLiteral("#7048e8");
 const QString along = QStringLiteral("#f08c00");
@@ -69,7 +69,7 @@ TellingMoment tellingMoment(const Observation &run)
 
 QByteArray momentumSvg(const Observation &run)
 {
-    return chartSvg(420.0, 150.0, PictureText::tr("Momentum of all circles, kg m/s"),
+    return chartSvg(420.0, 150.0, RunPictureText::tr("Momentum of all circles, kg m/s"),
                     {{QStringLiteral("Σ p_x"),
                       pointsOf(run, [](const Totals &t) { return t.momentum.x; }),
                       {along, 1.6}},
@@ -80,16 +80,16 @@ QByteArray momentumSvg(const Observation &run)
 
 QByteArray energySvg(const Observation &run)
 {
-    return chartSvg(420.0, 150.0, PictureText::tr("Energy of all circles, J"),
-                    {{PictureText::tr("kinetic"),
+    return chartSvg(420.0, 150.0, RunPictureText::tr("Energy of all circles, J"),
+                    {{RunPictureText::tr("kinetic"),
                       pointsOf(run, [](const Totals &t) { return t.kinetic; }),
                       {kinetic, 1.4, QStringLiteral("6 2")}},
-                     {PictureText::tr("potential"),
+                     {RunPictureText::tr("potential"),
                       pointsOf(run, [](const Totals &t) { return t.potential; }),
                       {potential, 1.4, QStringLiteral("2 2")}},
-                     {PictureText::tr("sum"),
+                     {RunPictureText::tr("sum"),
                       pointsOf(run, [](const Totals &t) { return t.total(); }),
-                      {ink, 1.8}}});
+                      {pictureInk, 1.8}}});
 }
 
 EnergyCurve energyCurve(const QString &name, const Observation &run)
@@ -115,7 +115,8 @@ QByteArray energiesSvg(const std::vector<EnergyCurve> &curves)
                          curves[i].points,
                          {colours[i % std::size(colours)], 1.3,
                           dashes[i / std::size(colours) % std::size(dashes)]}});
-    return chartSvg(640.0, 320.0, PictureText::tr("Energy as a part of that at the start"), lines);
+    return chartSvg(640.0, 320.0, RunPictureText::tr("Energy as a part of that at the start"),
+                    lines);
 }
 
 } // namespace cradle

@@ -14,7 +14,7 @@ namespace cradle {
 
 namespace {
 
-struct VerifyText {
+struct VerifiedText {
     Q_DECLARE_TR_FUNCTIONS(LabVerifier)
 };
 
@@ -50,7 +50,7 @@ QString describeVerified(const VerifiedTask &task)
     QString text = QStringLiteral("%1  %2\n").arg(task.id, task.title);
     text += QStringLiteral("  %1 %2\n")
                 .arg(QString(), 59)
-                .arg(VerifyText::tr("fails what is turned, too fast, adrift by"));
+                .arg(VerifiedText::tr("fails what is turned, too fast, adrift by"));
     for (qsizetype i = 0; i < task.checks.size(); ++i)
         text += QStringLiteral("  %1 %2  %3\n")
                     .arg(i + 1, 36)
@@ -62,7 +62,7 @@ QString describeVerified(const VerifiedTask &task)
         if (program.role == Role::Mistake)
             note = report.diagnosis() ? report.diagnosis()->mistake : QStringLiteral("-");
         else if (program.role == Role::Solution)
-            note = VerifyText::tr("with %1 seeds").arg(program.reports.size());
+            note = VerifiedText::tr("with %1 seeds").arg(program.reports.size());
         else if (program.role == Role::Remark)
             note = report.remarks.empty() ? QStringLiteral("-") : report.remarks.front().id;
         text += QStringLiteral("  %1 %2   %3\n")
@@ -82,7 +82,7 @@ QString describeTried(const Lab &lab)
     if (!lab.drawsValues)
         return text;
     for (const TriedRange &range : triedRanges(*lab.files, studentsTried(lab)))
-        text += VerifyText::tr("%1: %2 of %3 values, %4 to %5", "of a range")
+        text += VerifiedText::tr("%1: %2 of %3 values, %4 to %5", "of a range")
                     .arg(range.step.isEmpty() ? range.name
                                               : QStringLiteral("%1 %2").arg(range.step, range.name))
                     .arg(range.tried)

@@ -15,7 +15,7 @@ namespace cradle {
 
 namespace {
 
-struct ReaderText {
+struct LabReaderText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
 
@@ -27,8 +27,8 @@ void readTasks(const LabSource &source, const QJsonObject &json, const QString &
         if (steps.indexOf(steps[i]) == i)
             readTask(source, steps[i], language, lab);
         else
-            lab.findings.push_back({.message = ReaderText::tr("the step %1 is listed already; "
-                                                              "each step once is right")
+            lab.findings.push_back({.message = LabReaderText::tr("the step %1 is listed already; "
+                                                                 "each step once is right")
                                                    .arg(steps[i]),
                                     .file = source.fullPath(QStringLiteral("lab.json")),
                                     .pointer = QStringLiteral("/steps/%1").arg(i)});

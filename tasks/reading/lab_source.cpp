@@ -15,7 +15,7 @@ namespace cradle {
 
 namespace {
 
-struct ReaderText {
+struct SourceText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
 
@@ -53,7 +53,7 @@ Result<QByteArray> LabSource::read(const QString &path, qint64 maxBytes) const
     if (found != m_files.contents.end()) {
         if (found->size() <= maxBytes)
             return *found;
-        return Error{.message = ReaderText::tr("the file is too large; at most %1 are right")
+        return Error{.message = SourceText::tr("the file is too large; at most %1 are right")
                                     .arg(QLocale::c().formattedDataSize(maxBytes)),
                      .file = full};
     }
@@ -61,7 +61,7 @@ Result<QByteArray> LabSource::read(const QString &path, qint64 maxBytes) const
         if (fault.file == full)
             return fault;
     }
-    return Error{.message = ReaderText::tr("cannot be read: there is no such file"), .file = full};
+    return Error{.message = SourceText::tr("cannot be read: there is no such file"), .file = full};
 }
 
 Result<QJsonObject> LabSource::readJson(const QString &path, const char *schema) const
@@ -89,12 +89,12 @@ QString LabSource::readText(const QString &path, qint64 maxBytes,
     QStringDecoder decode(QStringDecoder::Utf8);
     QString decoded = decode(*text);
     if (decode.hasError())
-        findings.push_back({.message = ReaderText::tr("the text is not in UTF-8, which would "
+        findings.push_back({.message = SourceText::tr("the text is not in UTF-8, which would "
                                                       "be right; some letters are lost"),
                             .file = fullPath(path)});
     if (const qsizetype nul = decoded.indexOf(QChar::Null); nul >= 0) {
         findings.push_back(
-            {.message = ReaderText::tr("the text has characters that are none (NUL); a text in "
+            {.message = SourceText::tr("the text has characters that are none (NUL); a text in "
                                        "UTF-8 is right"),
              .file = fullPath(path),
              .line = static_cast<int>(1 + decoded.left(nul).count(QLatin1Char('\n')))});

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t mostCheckedCircles = 100; ///< as in task.schema.json
 
-struct ReaderText {
+struct TaskReaderText {
     Q_DECLARE_TR_FUNCTIONS(LabReader)
 };
 
@@ -134,8 +134,8 @@ void readTask(const LabSource &source, const QString &step, const QString &langu
     }
     if (lab.indexOf(text("id")) >= 0) {
         lab.findings.push_back(
-            {.message = ReaderText::tr("another step has the id %1 already; an id "
-                                       "of its own is right")
+            {.message = TaskReaderText::tr("another step has the id %1 already; an id "
+                                           "of its own is right")
                             .arg(text("id")),
              .file = source.fullPath(path),
              .pointer = QStringLiteral("/id")});

@@ -20,7 +20,7 @@ struct ReportText {
 /// Local variables that are told with an error.
 constexpr std::size_t mostLocals = 6;
 
-const QString margin = QStringLiteral("  ");
+const QString leftMargin = QStringLiteral("  ");
 /// Below the title of a check.
 const QString indent = QStringLiteral("        ");
 
@@ -58,14 +58,14 @@ QString localsOf(const ProgramError &error)
 QString describe(const ProgramError &error, const QString &program)
 {
     QStringList parts{
-        wrapped(placedMessage(error, program).simplified(), terminalColumns - 2, {}, margin)};
+        wrapped(placedMessage(error, program).simplified(), terminalColumns - 2, {}, leftMargin)};
     if (error.step > 0)
         parts.append(ReportText::tr("in step %1, at %2 s")
                          .arg(error.step)
                          .arg(quantityText(error.time, 'g', 4)));
     if (!error.locals.empty())
         parts.append(wrapped(printable(ReportText::tr("with %1").arg(localsOf(error))).simplified(),
-                             terminalColumns - 2, {}, margin));
+                             terminalColumns - 2, {}, leftMargin));
     return parts.join(QLatin1Char('\n'));
 }
 
@@ -94,19 +94,20 @@ QString describeReport(const CheckReport &report, const QString &program)
 {
     QString text;
     if (report.error)
-        text = behind(margin, describe(*report.error, program)) + QLatin1Char('\n');
+        text = behind(leftMargin, describe(*report.error, program)) + QLatin1Char('\n');
     for (const Finding &finding : report.findings) {
-        text += behind(margin, plainText(finding.message, terminalColumns - 2));
+        text += behind(leftMargin, plainText(finding.message, terminalColumns - 2));
         if (finding.line > 0)
             text += wrapped(ReportText::tr("Look at %1:%2").arg(nameOf(program)).arg(finding.line),
-                            terminalColumns, margin, margin)
+                            terminalColumns, leftMargin, margin)
                     + QLatin1Char('\n');
         text += QLatin1Char('\n');
     }
     for (const CheckOutcome &check : report.checks)
         text += describe(report, check, program);
     for (const Remark &remark : report.remarks)
-        text += QLatin1Char('\n') + behind(margin, plainText(remark.message, terminalColumns - 2));
+        text +=
+            QLatin1Char('\n') + behind(leftMargin, plainText(remark.message, terminalColumns - 2));
     text += QLatin1Char('\n') + verdictOf(report) + QLatin1Char('\n');
     if (report.passed)
         text += (report.byProgram ? ReportText::tr("The program moved the circles.")
@@ -114,7 +115,7 @@ QString describeReport(const CheckReport &report, const QString &program)
                 + QLatin1Char('\n');
     if (report.passed && !report.commit.isEmpty())
         text += wrapped(ReportText::tr("Commit message: %1").arg(report.commit), terminalColumns,
-                        {}, margin)
+                        {}, leftMargin)
                 + QLatin1Char('\n');
     return text;
 }

@@ -20,8 +20,8 @@ struct VariantText {
 };
 
 constexpr double halfWidth = 4.0;   ///< of the square of pinned scenes, m
-constexpr double slowest = 0.1;     ///< of slow hits where nothing pulls, a quarter of it, m/s
-constexpr int stepsToWall = 3;      ///< before a slow hit
+constexpr double slowestHit = 0.1;  ///< of slow hits where nothing pulls, a quarter of it, m/s
+constexpr int slowStepsToWall = 3;  ///< before a slow hit
 constexpr Vec2 creeping{0.15, 0.3}; ///< speeds of what comes slowest to a wall, m/s
 
 QString timestepText(double timestep)
@@ -218,16 +218,16 @@ private:
         // Drawn once, or the moments would not be spread evenly.
         if (i == 0)
             m_slow = {m_random.between(3.8, 4.2), m_random.uniform()};
-        const double speed = m_slow.x * std::max(std::abs(pull), slowest);
+        const double speed = m_slow.x * std::max(std::abs(pull), slowestHit);
         const int half = (m_spec.count + 1) / 2;
         const double phase = (i / 2 + m_slow.y) / half;
         for (const int circle : m_spec.circles) {
             Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
             const double room = preset.halfWidth - c.radius;
-            const double gap = (stepsToWall + phase) * dt * speed;
+            const double gap = (slowStepsToWall + phase) * dt * speed;
             const double across = -2.0 + circle * 2.5 + m_random.between(-0.3, 0.3);
             c.position = (room - gap) * toWall + across * perpendicular(toWall);
-            c.velocity = (speed - stepsToWall * pull) * toWall
+            c.velocity = (speed - slowStepsToWall * pull) * toWall
                          + m_random.between(-0.5, 0.5) * perpendicular(toWall);
         }
         add(VariantText::tr("slow hit %1").arg(i + 1), preset);

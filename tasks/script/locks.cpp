@@ -23,18 +23,18 @@ const char *const circleFields[] = {"position", "velocity", "radius",
                                     "density",  "mass",     "integrator"};
 
 /// A field of one circle.
-struct CircleField {
+struct LockedField {
     std::size_t circle = 0; ///< from 0
     QString name;
 };
 
-std::optional<CircleField> circleFieldFrom(const QString &field)
+std::optional<LockedField> circleFieldFrom(const QString &field)
 {
     static const QRegularExpression form(QStringLiteral("^circles/([1-9][0-9]{0,5})/([a-z]+)$"));
     const auto match = form.match(field);
     if (!match.hasMatch())
         return std::nullopt;
-    return CircleField{match.captured(1).toULong() - 1, match.captured(2)};
+    return LockedField{match.captured(1).toULong() - 1, match.captured(2)};
 }
 
 bool isSame(const PresetCircle &a, const PresetCircle &b, const QString &field)

@@ -13,7 +13,7 @@ namespace cradle {
 
 namespace {
 
-struct MessageText {
+struct LuaMessageText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
@@ -63,9 +63,9 @@ QString partName(const QString &part)
 {
     //: the end of the program
     if (part == QLatin1String("<eof>"))
-        return MessageText::tr("<eof>");
+        return LuaMessageText::tr("<eof>");
     if (part == QLatin1String("<name>"))
-        return MessageText::tr("<name>");
+        return LuaMessageText::tr("<name>");
     return part;
 }
 
@@ -79,7 +79,7 @@ QString translated(const QString &message, std::span<const Form> forms)
         if (!match.hasMatch())
             continue;
         // All at once: what the program is called may have a %1 of its own.
-        QString text = MessageText::tr(form.text);
+        QString text = LuaMessageText::tr(form.text);
         QString result;
         for (qsizetype i = 0; i < text.size(); ++i) {
             const int number = i + 1 < text.size() ? text.at(i + 1).digitValue() : -1;
@@ -123,25 +123,26 @@ QString plainRuntimeMessage(const QString &message)
 {
     const QString name = nameIn(message);
     const QString what =
-        name.isEmpty() ? MessageText::tr("this value") : QStringLiteral("`%1`").arg(name);
+        name.isEmpty() ? LuaMessageText::tr("this value") : QStringLiteral("`%1`").arg(name);
     const auto type = [&](const char *verb) { return typeIn(message, QLatin1String(verb)); };
     if (const QString found = type("attempt to index"); !found.isEmpty())
-        return MessageText::tr("%1 is %2, so it has no fields").arg(what, found);
+        return LuaMessageText::tr("%1 is %2, so it has no fields").arg(what, found);
     if (const QString found = type("attempt to call"); !found.isEmpty())
-        return MessageText::tr("%1 is %2, not a function that can be called").arg(what, found);
+        return LuaMessageText::tr("%1 is %2, not a function that can be called").arg(what, found);
     if (const QString found = type("attempt to perform arithmetic on"); !found.isEmpty())
-        return MessageText::tr("%1 is %2, not a number to calculate with").arg(what, found);
+        return LuaMessageText::tr("%1 is %2, not a number to calculate with").arg(what, found);
     if (const QString found = type("attempt to concatenate"); !found.isEmpty())
-        return MessageText::tr("%1 is %2, so .. cannot join it to a text").arg(what, found);
+        return LuaMessageText::tr("%1 is %2, so .. cannot join it to a text").arg(what, found);
     if (const QString found = type("attempt to get length of"); !found.isEmpty())
-        return MessageText::tr("%1 is %2, so it has no length").arg(what, found);
+        return LuaMessageText::tr("%1 is %2, so it has no length").arg(what, found);
     const QString text = translated(message, runtimeForms);
     if (message.startsWith(QLatin1String("attempt to compare")))
-        return MessageText::tr("%1; only numbers compare with numbers (the length of a vector is "
-                               "v:length())")
+        return LuaMessageText::tr(
+                   "%1; only numbers compare with numbers (the length of a vector is "
+                   "v:length())")
             .arg(text);
     if (message.contains(QLatin1String("stack overflow")))
-        return MessageText::tr("a function calls itself without end (stack overflow)");
+        return LuaMessageText::tr("a function calls itself without end (stack overflow)");
     return text;
 }
 

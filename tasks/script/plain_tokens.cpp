@@ -6,12 +6,12 @@ namespace cradle {
 
 namespace {
 
-bool isDigit(char c)
+bool isPlainDigit(char c)
 {
     return c >= '0' && c <= '9';
 }
 
-bool isLetter(char c)
+bool isPlainLetter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
@@ -56,12 +56,12 @@ private:
     std::size_t skipToken(char c)
     {
         const std::size_t start = m_at;
-        if (isLetter(c)) {
-            while (isLetter(at(0)) || isDigit(at(0)))
+        if (isPlainLetter(c)) {
+            while (isPlainLetter(at(0)) || isPlainDigit(at(0)))
                 ++m_at;
             return m_at - start;
         }
-        if (isDigit(c) || (c == '.' && isDigit(at(1)))) {
+        if (isPlainDigit(c) || (c == '.' && isPlainDigit(at(1)))) {
             skipNumber();
             return m_at - start;
         }
@@ -92,9 +92,10 @@ private:
         m_at += hex ? 2 : 0;
         for (;; ++m_at) {
             const char lower = static_cast<char>(at(0) | 0x20);
-            if (lower == (hex ? 'p' : 'e') && isLetter(at(0)) && (at(1) == '+' || at(1) == '-'))
+            if (lower == (hex ? 'p' : 'e') && isPlainLetter(at(0))
+                && (at(1) == '+' || at(1) == '-'))
                 ++m_at;
-            else if (!isLetter(at(0)) && !isDigit(at(0)) && at(0) != '.')
+            else if (!isPlainLetter(at(0)) && !isPlainDigit(at(0)) && at(0) != '.')
                 return;
         }
     }

@@ -22,7 +22,7 @@ struct ShowText {
 
 /// What a point or a drawing counts, besides its text.
 constexpr qint64 bytesPerItem = 64;
-constexpr qsizetype longestName = 100;
+constexpr qsizetype longestLabel = 100;
 
 void count(lua_State *L, qint64 bytes)
 {
@@ -79,9 +79,9 @@ QString optionalText(lua_State *L, int index, const QString &what)
 int plot(lua_State *L)
 {
     const QString name = textArgument(L, 1, ShowText::tr("the name in plot(name, number)"));
-    if (name.isEmpty() || name.size() > longestName)
+    if (name.isEmpty() || name.size() > longestLabel)
         raise(L, ShowText::tr("the name in plot(name, number) must have 1 to %1 letters")
-                     .arg(longestName));
+                     .arg(longestLabel));
     if (lua_type(L, 2) != LUA_TNUMBER)
         raise(L, ShowText::tr("plot(name, number) takes a number, not %1").arg(nameValue(L, 2)));
     const double value = lua_tonumber(L, 2);

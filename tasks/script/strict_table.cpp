@@ -18,7 +18,7 @@ struct TableText {
 };
 
 /// A field that a run, a state or a circle does not have.
-int refuseUnknown(lua_State *L)
+int refuseUnknownKey(lua_State *L)
 {
     QStringList names;
     lua_pushnil(L);
@@ -45,7 +45,7 @@ void makeStrict(lua_State *L)
     if (lua_rawgeti(L, LUA_REGISTRYINDEX, registry::strictMetatable) == LUA_TNIL) {
         lua_pop(L, 1);
         lua_newtable(L);
-        lua_pushcfunction(L, refuseUnknown);
+        lua_pushcfunction(L, refuseUnknownKey);
         lua_setfield(L, -2, "__index");
         lua_pushvalue(L, -1);
         lua_rawseti(L, LUA_REGISTRYINDEX, registry::strictMetatable);

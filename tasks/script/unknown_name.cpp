@@ -22,7 +22,7 @@ struct WorldText {
 
 /// Names among which the nearest is looked for; a program of the lab has a handful.
 constexpr qsizetype mostNames = 1000;
-constexpr lua_Unsigned longestName = 64;
+constexpr lua_Unsigned longestKnownName = 64;
 constexpr qint64 instructionsPerName = 50; ///< that comparing two names counts
 
 /// What a program is likely to look for, and why it is not there.
@@ -62,7 +62,7 @@ void appendKeys(lua_State *L, QStringList &names)
 {
     lua_pushnil(L);
     while (lua_next(L, -2) != 0) {
-        if (lua_type(L, -2) == LUA_TSTRING && lua_rawlen(L, -2) <= longestName)
+        if (lua_type(L, -2) == LUA_TSTRING && lua_rawlen(L, -2) <= longestKnownName)
             names.append(QString::fromUtf8(lua_tostring(L, -2)));
         ScriptHost::of(L).instructions += instructionsPerName;
         lua_pop(L, 1);
@@ -95,8 +95,8 @@ void refuseUnknown(lua_State *L, const QString &name)
         raise(L, {});
     const QString unknown =
         WorldText::tr("`%1` is not known: nothing of that name was given a value before");
-    if (name.size() > static_cast<qsizetype>(longestName))
-        raise(L, unknown.arg(name.left(longestName) + QStringLiteral("…")));
+    if (name.size() > static_cast<qsizetype>(longestKnownName))
+        raise(L, unknown.arg(name.left(longestKnownName) + QStringLiteral("…")));
     if (const QString why = whyAbsent(name); !why.isEmpty())
         raise(L, why);
     const auto count = ScriptHost::of(L).circles.size();

@@ -114,7 +114,7 @@ int concatenate(lua_State *L)
 }
 
 /// x and y at once; methods from the table in upvalue 1.
-int index(lua_State *L)
+int readComponent(lua_State *L)
 {
     const Vec2 *v = vectorAt(L, 1);
     const void *key = lua_topointer(L, 2);
@@ -274,7 +274,7 @@ void addVectors(lua_State *L)
         lua_pushcfunction(L, entry.func);
         lua_setfield(L, -2, entry.name);
     }
-    lua_pushcclosure(L, index, 1);
+    lua_pushcclosure(L, readComponent, 1);
     lua_setfield(L, -2, "__index");
     lua_pushliteral(L, "vector");
     lua_setfield(L, -2, "__name");

@@ -22,7 +22,7 @@ namespace cradle {
 
 namespace {
 
-struct WorldText {
+struct GlobalText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
 
@@ -55,7 +55,7 @@ int readGlobal(lua_State *L)
 void refuseWhileRunning(lua_State *L, const char *key)
 {
     if (!ScriptHost::of(L).loading)
-        raise(L, WorldText::tr("`%1` is set once, in on_load; in on_update it can only be read")
+        raise(L, GlobalText::tr("`%1` is set once, in on_load; in on_update it can only be read")
                      .arg(QLatin1String(key)));
 }
 
@@ -65,11 +65,11 @@ void setGravity(lua_State *L)
     ScriptHost &host = ScriptHost::of(L);
     const Vec2 *v = vectorAt(L, 3);
     if (!v)
-        raise(L, WorldText::tr("gravity must be a vector in m/s², not %1; write gravity = "
-                               "vec(0, -9.81)")
+        raise(L, GlobalText::tr("gravity must be a vector in m/s², not %1; write gravity = "
+                                "vec(0, -9.81)")
                      .arg(nameValue(L, 3)));
     if (!isFinite(*v) || length(*v) > limits::maxAcceleration)
-        raise(L, WorldText::tr("gravity would be %1 m/s²; at most %2 is right")
+        raise(L, GlobalText::tr("gravity would be %1 m/s²; at most %2 is right")
                      .arg(describeValue(L, 3))
                      .arg(limits::maxAcceleration));
     noteAssignment(L, -1, Assignment::Field::Gravity, !host.pinned && *v != host.gravity);
@@ -86,9 +86,8 @@ void setRestitution(lua_State *L)
     ScriptHost &host = ScriptHost::of(L);
     const double value = lua_type(L, 3) == LUA_TNUMBER ? lua_tonumber(L, 3) : std::nan("");
     if (!(value >= 0.0 && value <= 1.0))
-        raise(
-            L,
-            WorldText::tr("restitution must be a number from 0 to 1, not %1").arg(nameValue(L, 3)));
+        raise(L, GlobalText::tr("restitution must be a number from 0 to 1, not %1")
+                     .arg(nameValue(L, 3)));
     noteAssignment(L, -1, Assignment::Field::Restitution,
                    !host.pinned && value != host.restitution);
     if (host.pinned)
@@ -110,8 +109,8 @@ int writeGlobal(lua_State *L)
         return 0;
     }
     if (key == "time" || key == "step")
-        raise(L, WorldText::tr("`%1` can only be read; choose another name for a variable of "
-                               "your own")
+        raise(L, GlobalText::tr("`%1` can only be read; choose another name for a variable of "
+                                "your own")
                      .arg(QLatin1String(key.data())));
     if (replaceLibrary(L, key.data())) {
         lua_rawset(L, 1);
@@ -119,15 +118,15 @@ int writeGlobal(lua_State *L)
     }
     lua_pushvalue(L, 2);
     if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL)
-        raise(L, WorldText::tr("`%1` is given by the lab and cannot be replaced; choose another "
-                               "name for a variable of your own")
+        raise(L, GlobalText::tr("`%1` is given by the lab and cannot be replaced; choose another "
+                                "name for a variable of your own")
                      .arg(QLatin1String(key.data())));
     lua_pop(L, 1);
     const bool given = key == "on_load" || key == "on_update";
     if (!given)
         refuseSlip(L, QString::fromUtf8(key.data()));
     else if (lua_type(L, 3) != LUA_TFUNCTION && lua_type(L, 3) != LUA_TNIL)
-        raise(L, WorldText::tr("`%1` must be a function, not %2")
+        raise(L, GlobalText::tr("`%1` must be a function, not %2")
                      .arg(QLatin1String(key.data()), nameValue(L, 3)));
     lua_rawset(L, 1);
     return 0;

@@ -14,14 +14,6 @@ namespace {
 /// their number in memory.
 constexpr int mostChanges = 1500;
 
-QStringList linesOf(const QString &text)
-{
-    QStringList lines = text.split(QLatin1Char('\n'));
-    if (lines.last().isEmpty())
-        lines.removeLast();
-    return lines;
-}
-
 /// Appends lines of two texts, and counts them.
 class Writer
 {
@@ -104,6 +96,14 @@ std::vector<int> shortestWay(const QStringList &a, const QStringList &b)
 }
 
 } // namespace
+
+QStringList linesOf(const QString &text)
+{
+    QStringList lines = text.split(QLatin1Char('\n'));
+    if (lines.last().isEmpty())
+        lines.removeLast();
+    return lines;
+}
 
 std::vector<DiffLine> lineDiff(const QString &before, const QString &after)
 {

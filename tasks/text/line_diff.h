@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -19,6 +20,9 @@ struct DiffLine {
 
     friend bool operator==(const DiffLine &, const DiffLine &) = default;
 };
+
+/// The lines of a text without their ends; what follows the last end is no line if it is empty.
+[[nodiscard]] QStringList linesOf(const QString &text);
 
 /// What makes \p after of \p before, with the fewest lines removed and added (Myers 1986, "An O(ND)
 /// difference algorithm"); texts that have very little in common are told more coarsely. All lines

@@ -23,14 +23,6 @@ struct DiffText {
 
 constexpr int mostTrimmed = 2; ///< lines around a change, at each end, that may be others by now
 
-QStringList linesOf(const QString &text)
-{
-    QStringList lines = text.split(QLatin1Char('\n'));
-    if (lines.last().isEmpty())
-        lines.removeLast();
-    return lines;
-}
-
 /// "4,3"; a single line is told without its count.
 QString rangeOf(qsizetype start, qsizetype count)
 {

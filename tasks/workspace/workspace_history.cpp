@@ -18,7 +18,7 @@ namespace cradle {
 
 namespace {
 
-struct WorkspaceText {
+struct HistoryText {
     Q_DECLARE_TR_FUNCTIONS(Workspace)
 };
 
@@ -43,8 +43,7 @@ std::optional<Error> Workspace::begin(const Lab &lab, const QString &currentTask
     if (m_folder.isEmpty())
         return std::nullopt;
     if (auto error = makeFolder(m_folder)) {
-        error->message =
-            WorkspaceText::tr("your work cannot be saved here: %1").arg(error->message);
+        error->message = HistoryText::tr("your work cannot be saved here: %1").arg(error->message);
         return error;
     }
     m_lock = WorkspaceLock(m_folder);

@@ -17,7 +17,7 @@ struct InfoText {
     Q_DECLARE_TR_FUNCTIONS(Workspace)
 };
 
-constexpr qint64 maxBytes = 64 * 1024;
+constexpr qint64 mostInfoBytes = 64 * 1024;
 
 struct Field {
     const char *key;
@@ -46,7 +46,7 @@ Result<WorkspaceInfo> readWorkspaceInfo(const QString &folder)
 {
     if (!isWorkspace(folder))
         return WorkspaceInfo{};
-    const auto text = readFile(pathIn(folder), maxBytes);
+    const auto text = readFile(pathIn(folder), mostInfoBytes);
     return text ? workspaceInfoFrom(*text, pathIn(folder)) : Result<WorkspaceInfo>(text.error());
 }
 

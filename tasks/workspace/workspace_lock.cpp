@@ -23,12 +23,12 @@ namespace cradle {
 
 namespace {
 
-constexpr qint64 maxBytes = 4096;
+constexpr qint64 mostLockBytes = 4096;
 
 /// When the process began, in the kernel's ticks: its number may be another's by now.
 qint64 startOf(qint64 process)
 {
-    const auto stat = readFile(QStringLiteral("/proc/%1/stat").arg(process), maxBytes);
+    const auto stat = readFile(QStringLiteral("/proc/%1/stat").arg(process), mostLockBytes);
     if (!stat)
         return 0;
     // The name, in parentheses, may hold anything.
@@ -46,7 +46,7 @@ std::optional<Held> readLock(const QString &path)
 {
     if (!QFile::exists(path))
         return std::nullopt;
-    const auto text = readFile(path, maxBytes);
+    const auto text = readFile(path, mostLockBytes);
     const QJsonObject json = QJsonDocument::fromJson(text ? *text : QByteArray()).object();
     return Held{
         .holder = {.host = json.value(QStringLiteral("host")).toString(),

@@ -13,7 +13,7 @@ namespace cradle {
 
 namespace {
 
-struct WorkspaceText {
+struct NotesText {
     Q_DECLARE_TR_FUNCTIONS(Workspace)
 };
 
@@ -61,8 +61,8 @@ std::optional<Error> Workspace::saveNote(const QString &taskId, const QString &t
         return std::nullopt;
     m_notes[taskId] = text;
     if (wasTakenOver() || m_readOnly)
-        return Error{.message = WorkspaceText::tr("another window works on this lab now; this one "
-                                                  "saves nothing more"),
+        return Error{.message = NotesText::tr("another window works on this lab now; this one "
+                                              "saves nothing more"),
                      .file = path};
     const auto others = keepOthersNote(taskId);
     if (auto error = write(path, text.toUtf8()))
@@ -83,15 +83,15 @@ std::optional<Error> Workspace::keepOthersNote(const QString &taskId)
         return std::nullopt;
     if (bytes && isNote(*bytes) && m_history
         && !m_history->keepNote(taskId, *bytes, m_info.student))
-        return Error{.message = WorkspaceText::tr("another program has changed this note; yours "
-                                                  "stays, and the other is kept in git as "
-                                                  "refs/cradle/notes/%1")
+        return Error{.message = NotesText::tr("another program has changed this note; yours "
+                                              "stays, and the other is kept in git as "
+                                              "refs/cradle/notes/%1")
                                     .arg(taskId),
                      .file = path};
     const auto kept = moveAside(path);
     if (!kept)
         return kept.error();
-    return Error{.message = WorkspaceText::tr("this file is no note; it is kept as %1").arg(*kept),
+    return Error{.message = NotesText::tr("this file is no note; it is kept as %1").arg(*kept),
                  .file = path};
 }
 

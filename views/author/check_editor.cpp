@@ -22,7 +22,7 @@ namespace cradle {
 namespace {
 
 constexpr int shortWidth = 190; ///< px
-constexpr double mostPoints = 1000.0;
+constexpr double mostCheckPoints = 1000.0;
 
 } // namespace
 
@@ -204,7 +204,7 @@ void CheckEditor::takePoints()
     bool ok = true;
     const QString text = m_points->text().trimmed();
     const double points = text.isEmpty() ? 1.0 : text.toDouble(&ok);
-    if (!ok || !(points >= 0.0 && points <= mostPoints)) {
+    if (!ok || !(points >= 0.0 && points <= mostCheckPoints)) {
         refuse(m_points, pointsText(), tr("Points: a number from 0 to 1000 is right"));
         return;
     }

@@ -10,7 +10,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int mostCircles = 100;
+constexpr int mostNumbered = 100;
 const QString fieldName = QStringLiteral("circles");
 
 QString textOf(const std::vector<int> &circles)
@@ -48,7 +48,7 @@ void CirclesLine::take()
     for (const QString &part : text().split(between, Qt::SkipEmptyParts)) {
         bool ok = false;
         const int circle = part.toInt(&ok);
-        if (!ok || circle < 1 || circle > mostCircles) {
+        if (!ok || circle < 1 || circle > mostNumbered) {
             m_texts.keep(fieldName, {text(), textOf(m_circles),
                                      tr("Circles: numbers from 1 to 100 as “1, 2” are right")});
             markRefused(this, true);

@@ -21,7 +21,7 @@ namespace {
 // The bounds of task.schema.json, in characters.
 constexpr int longestQuestion = 400;
 constexpr int longestOutcome = 1000;
-constexpr int fewestAnswers = 2;
+constexpr int fewestGuesses = 2;
 
 bool fits(const QString &text, int longest)
 {
@@ -111,7 +111,7 @@ void PredictionEditor::enableFields()
     for (const AnswerRow &row : m_rows) {
         row.right->setEnabled(writable);
         row.text->setReadOnly(m_readOnly);
-        row.remove->setEnabled(writable && count > fewestAnswers);
+        row.remove->setEnabled(writable && count > fewestGuesses);
     }
 }
 

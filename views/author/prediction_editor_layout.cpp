@@ -22,7 +22,7 @@ namespace {
 
 constexpr int questionHeight = 72; ///< px
 constexpr int outcomeHeight = 104; ///< px
-constexpr int longestAnswer = 100; ///< characters, as in task.schema.json
+constexpr int longestGuess = 100;  ///< characters, as in task.schema.json
 
 } // namespace
 
@@ -98,7 +98,7 @@ void PredictionEditor::makeAnswer(int answer)
     row.right = new QRadioButton(row.widget);
     row.text = new QLineEdit(row.widget);
     row.text->setObjectName(QStringLiteral("predictionAnswer%1").arg(answer + 1));
-    row.text->setMaxLength(longestAnswer);
+    row.text->setMaxLength(longestGuess);
     row.remove = makeIconButton(QStringLiteral("remove"), row.widget);
     m_right->addButton(row.right, answer);
     auto *line = new QHBoxLayout(row.widget);

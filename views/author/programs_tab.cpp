@@ -26,7 +26,7 @@ namespace cradle {
 namespace {
 
 constexpr int fileRole = Qt::UserRole;
-constexpr int listWidth = 230; ///< px
+constexpr int programsWidth = 230; ///< px
 
 } // namespace
 
@@ -58,7 +58,7 @@ void ProgramsTab::makeLayout()
     setRowKeys(m_list, {.remove = m_remove, .rename = [this] { renameProgram(); }});
     m_page = new ProgramPage(m_document, this);
 
-    layOutSideBySide(this, {side, m_page}, {listWidth, 800})->setStretchFactor(1, 1);
+    layOutSideBySide(this, {side, m_page}, {programsWidth, 800})->setStretchFactor(1, 1);
 }
 
 void ProgramsTab::wire()

@@ -22,9 +22,9 @@ namespace cradle {
 
 namespace {
 
-constexpr int textHeight = 84;     ///< px
-constexpr int answersHeight = 120; ///< px
-constexpr int listWidth = 200;     ///< px
+constexpr int textHeight = 84;      ///< px
+constexpr int answersHeight = 120;  ///< px
+constexpr int questionsWidth = 200; ///< px
 
 } // namespace
 
@@ -32,7 +32,7 @@ QuestionsEditor::QuestionsEditor(FormulaRenderer *renderer, QWidget *parent)
     : QWidget(parent)
 {
     layOutSideBySide(this, {makeList(), scrolled(makeForm()), scrolled(makeCard(renderer))},
-                     {listWidth, 400, 400});
+                     {questionsWidth, 400, 400});
     retranslate();
     wire();
     showQuestions({}, {}, {});

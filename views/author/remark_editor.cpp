@@ -15,7 +15,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int shortWidth = 190; ///< px
+constexpr int remarkWidth = 190; ///< px
 
 } // namespace
 
@@ -43,7 +43,7 @@ void RemarkEditor::makeLayout()
     m_compare->setObjectName(QStringLiteral("remarkCompare"));
     m_circles->setObjectName(QStringLiteral("remarkCircles"));
     m_compare->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-    m_circles->setMaximumWidth(shortWidth);
+    m_circles->setMaximumWidth(remarkWidth);
     QFormLayout *form = makeFormRows();
     const std::pair<QLabel *, QWidget *> rows[] = {{m_compareCaption, m_compare},
                                                    {m_circlesCaption, m_circles}};

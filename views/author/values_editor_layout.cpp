@@ -19,7 +19,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int listWidth = 260;    ///< px
+constexpr int valuesWidth = 260;  ///< px
 constexpr int longestDraw = 200;  ///< characters, as in lab.schema.json
 constexpr int longestNumber = 64; ///< characters of a student's number
 constexpr int longestValue = 400; ///< characters, as in the schemas
@@ -30,7 +30,7 @@ ValuesEditor::ValuesEditor(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
 {
-    layOutSideBySide(this, {makeList(), makeForm(), makeFacts()}, {listWidth, 370, 370});
+    layOutSideBySide(this, {makeList(), makeForm(), makeFacts()}, {valuesWidth, 370, 370});
     setFocusProxy(m_list);
     retranslate();
     wire();

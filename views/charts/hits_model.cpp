@@ -30,7 +30,7 @@ QString wallName(int wall)
 namespace {
 
 /// Less than this part of the momentum is rounding, not change.
-constexpr double noise = 1e-9;
+constexpr double impulseNoise = 1e-9;
 
 double sizeOf(const HitMomentum &p)
 {
@@ -43,7 +43,7 @@ class MomentumText
 public:
     explicit MomentumText(const HitMomentum &p)
         : m_scale(sizeOf(p))
-        , m_isLevel(std::max(std::abs(p.before.y), std::abs(p.after.y)) <= noise * m_scale)
+        , m_isLevel(std::max(std::abs(p.before.y), std::abs(p.after.y)) <= impulseNoise * m_scale)
     {
     }
 

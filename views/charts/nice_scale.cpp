@@ -10,7 +10,7 @@ namespace cradle {
 namespace {
 
 /// Of the scale of the run; rounding of sums over an hour stays below.
-constexpr double noise = 1e-9;
+constexpr double scaleNoise = 1e-9;
 /// Bounds of a range are multiples of its nice step for this many steps.
 constexpr double boundSteps = 8.0;
 /// A range that is used less than this is made anew: seldom, so that the picture rests.
@@ -57,7 +57,7 @@ std::vector<double> AxisScale::ticks() const
 
 void SteadyRange::fit(double low, double high, double reference)
 {
-    const double floor = noise * reference;
+    const double floor = scaleNoise * reference;
     if (std::abs(low) < floor)
         low = 0.0;
     if (std::abs(high) < floor)

@@ -13,7 +13,7 @@ namespace {
 constexpr double leastStride = 4.0; ///< px from one place that is tried to the next
 constexpr double across = 40.0;     ///< places that are tried, about
 constexpr double down = 24.0;
-constexpr double inset = 4.0;      ///< px from the edges of the plot
+constexpr double noteInset = 4.0;  ///< px from the edges of the plot
 constexpr double curveGap = 2.0;   ///< px that a note keeps from curves
 constexpr double cursorGap = 5.0;  ///< px that it keeps from the cursor
 constexpr double cursorCost = 1e4; ///< hidden columns: what happens there is what it is about
@@ -43,7 +43,7 @@ double hiddenColumns(const QRectF &plot, const std::vector<CurveProfile> &curves
 NotePlace quietestPlace(const QRectF &plot, const std::vector<CurveProfile> &curves, QSizeF size,
                         double cursor)
 {
-    const QRectF room = plot.adjusted(inset, inset, -inset, -inset);
+    const QRectF room = plot.adjusted(noteInset, noteInset, -noteInset, -noteInset);
     const QPointF first(std::round(room.left()), std::round(room.top()));
     const double toRight = std::max(leastStride, std::floor(room.width() / across));
     const double toBottom = std::max(leastStride, std::floor(room.height() / down));

@@ -15,7 +15,7 @@ namespace cradle {
 namespace {
 
 constexpr double scientificFrom = 1e6;
-constexpr double noise = 1e-9; ///< of the scale: sums of doubles over a run stay below
+constexpr double numberNoise = 1e-9; ///< of the scale: sums of doubles over a run stay below
 
 QString withMinus(QString text)
 {
@@ -69,7 +69,7 @@ QString shortNumber(double value, double scale)
     const double size = std::abs(value);
     if (!std::isfinite(value))
         return QStringLiteral("–");
-    if (size == 0.0 || size < noise * scale)
+    if (size == 0.0 || size < numberNoise * scale)
         return QStringLiteral("0");
     if (size >= scientificFrom || size < 1e-3)
         return withMinus(QString::number(value, 'e', 2));

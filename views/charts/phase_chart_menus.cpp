@@ -18,8 +18,8 @@ namespace cradle {
 
 namespace {
 
-constexpr int mostListed = 20;       ///< circles in a menu
-constexpr qint64 playedValues = 400; ///< of a curve that is heard
+constexpr int mostListed = 20;      ///< circles in a menu
+constexpr qint64 playedSteps = 400; ///< of a curve that is heard
 
 } // namespace
 
@@ -168,8 +168,8 @@ void PhaseChart::play()
     const qint64 from = recording.indexAt(span.from);
     const qint64 to = recording.indexAt(std::min(span.to, end));
     std::vector<double> values;
-    for (qint64 i = 0; i < playedValues; ++i) {
-        if (const auto point = pointAt(from + (to - from) * i / (playedValues - 1)))
+    for (qint64 i = 0; i < playedSteps; ++i) {
+        if (const auto point = pointAt(from + (to - from) * i / (playedSteps - 1)))
             values.push_back(point->y());
     }
     if (to > from && !values.empty())

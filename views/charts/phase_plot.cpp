@@ -10,8 +10,8 @@ namespace cradle {
 
 namespace {
 
-constexpr double margin = 0.06;   ///< of the axis, beyond the range on both sides
-constexpr double dotRadius = 4.0; ///< px
+constexpr double rangeMargin = 0.06; ///< of the axis, beyond the range on both sides
+constexpr double dotRadius = 4.0;    ///< px
 
 } // namespace
 
@@ -37,7 +37,7 @@ void PhasePlot::showPicture(const PhasePicture &picture)
     const int ticks = std::max(1, rows());
     const auto axis = [ticks](const SteadyRange &range, const std::optional<ValueSpan> &span) {
         return span ? AxisScale{span->low, span->high, niceStep((span->high - span->low) / ticks)}
-                    : range.scale(ticks, margin);
+                    : range.scale(ticks, rangeMargin);
     };
     layOut({.scale = axis(m_acrossRange, picture.across), .name = picture.acrossText},
            {.scale = axis(m_upRange, picture.up), .name = picture.upText}, picture.isEqual);

@@ -18,7 +18,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int textPixels = 11;
+constexpr int plotTextPixels = 11;
 constexpr double straight = 0.05; ///< px that a line may be off
 constexpr double leastStep = 0.4; ///< px: of a path, what is nearer to the last point is left out
 constexpr double leastGutter = 42.0; ///< px for the values left of the lines
@@ -244,7 +244,7 @@ ValueSpan Plot::upSpan() const
 QFont Plot::smallFont() const
 {
     QFont small = font();
-    small.setPixelSize(scaledByText(textPixels));
+    small.setPixelSize(scaledByText(plotTextPixels));
     return small;
 }
 

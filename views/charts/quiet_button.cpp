@@ -15,14 +15,14 @@ namespace cradle {
 namespace {
 
 constexpr int buttonHeight = 20; ///< px
-constexpr int pad = 6;           ///< px left and right of the text
+constexpr int buttonPad = 6;     ///< px left and right of the text
 constexpr int arrowWidth = 10;   ///< px for the arrow of a menu
-constexpr int textPixels = 11;
+constexpr int buttonTextPixels = 11;
 
 QFont smallFont(const QWidget &widget)
 {
     QFont font = widget.font();
-    font.setPixelSize(scaledByText(textPixels));
+    font.setPixelSize(scaledByText(buttonTextPixels));
     font.setWeight(QFont::Medium);
     return font;
 }
@@ -50,7 +50,7 @@ void QuietButton::setMenu(QMenu *menu, bool arrow)
 QSize QuietButton::sizeHint() const
 {
     const double text = std::ceil(subscriptWidth(smallFont(*this), this->text()));
-    return {static_cast<int>(text) + 2 * pad + (m_hasArrow ? arrowWidth : 0),
+    return {static_cast<int>(text) + 2 * buttonPad + (m_hasArrow ? arrowWidth : 0),
             scaledByText(buttonHeight)};
 }
 
@@ -71,9 +71,9 @@ void QuietButton::paintEvent(QPaintEvent *)
     painter.setPen(isChecked() || underMouse() ? colours.text : colours.mutedText);
     const QFontMetricsF metrics(painter.font());
     const double baseline = 0.5 * (this->height() + metrics.capHeight());
-    drawSubscripted(painter, {double(pad), baseline}, text());
+    drawSubscripted(painter, {double(buttonPad), baseline}, text());
     if (m_hasArrow) {
-        const double x = width() - pad - 3.5;
+        const double x = width() - buttonPad - 3.5;
         const double y = 0.5 * this->height() + 0.5;
         painter.setPen(QPen(painter.pen().color(), 1.2, Qt::SolidLine, Qt::RoundCap));
         painter.drawPolyline(QPolygonF{{x - 3.0, y - 1.5}, {x, y + 1.5}, {x + 3.0, y - 1.5}});

@@ -15,7 +15,7 @@ struct RunDifference {
 };
 
 /// Of a crowd the first circles tell enough.
-constexpr std::size_t mostCompared = 8;
+constexpr std::size_t mostDifferences = 8;
 
 QString nameOf(WallLaw law)
 {
@@ -133,7 +133,7 @@ QStringList differences(const RunSource &then, const RunSource &now)
             RunDifference::tr("%1 → %2 circles").arg(a.circles.size()).arg(b.circles.size()));
         return found.all();
     }
-    for (std::size_t i = 0; i < std::min(a.circles.size(), mostCompared); ++i)
+    for (std::size_t i = 0; i < std::min(a.circles.size(), mostDifferences); ++i)
         compareCircles(found, a.circles[i], b.circles[i], i);
     return found.all();
 }

@@ -10,9 +10,9 @@ namespace cradle {
 
 namespace {
 
-constexpr int sidePad = 14; ///< px
-constexpr int pad = 10;     ///< px above and below
-constexpr int shortPad = 3; ///< px above and below where room is scarce
+constexpr int sidePad = 14;     ///< px
+constexpr int sentencePad = 10; ///< px above and below
+constexpr int shortPad = 3;     ///< px above and below where room is scarce
 
 } // namespace
 
@@ -49,7 +49,7 @@ void SentenceLabel::fit()
     const bool fits = needed + 2 * shortPad <= m_room.height();
     const QString line = metrics.elidedText(m_sentence, Qt::ElideRight, width);
     const int spare = (m_room.height() - needed) / 2;
-    const int room = fits ? std::min(spare, pad) : shortPad;
+    const int room = fits ? std::min(spare, sentencePad) : shortPad;
     setWordWrap(fits);
     setContentsMargins(sidePad, room, sidePad, room);
     setText(fits ? m_sentence : line);

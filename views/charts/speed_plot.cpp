@@ -16,7 +16,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double swatch = 10.0; ///< px
+constexpr double legendSwatch = 10.0; ///< px
 /// The axis of shares ends at this many times the top of the curve.
 constexpr double headroom = 2.0;
 
@@ -123,17 +123,18 @@ void SpeedPlot::drawOver(QPainter &painter) const
     const double height = std::ceil(metrics.height());
     QColor behind = theme().panel;
     behind.setAlphaF(0.8F);
-    painter.fillRect(QRectF(left - swatch - 8.0, area.top(), widest + swatch + 8.0,
+    painter.fillRect(QRectF(left - legendSwatch - 8.0, area.top(), widest + legendSwatch + 8.0,
                             height * static_cast<double>(lines.size())),
                      behind);
     for (qsizetype i = 0; i < lines.size(); ++i) {
         const double top = area.top() + static_cast<double>(i) * height;
         const double middle = std::round(top + 0.5 * height);
-        const QRectF mark(left - swatch - 6.0, middle - 0.5 * swatch, swatch, swatch);
+        const QRectF mark(left - legendSwatch - 6.0, middle - 0.5 * legendSwatch, legendSwatch,
+                          legendSwatch);
         if (i == 0)
             painter.fillRect(mark, barColour());
         else if (i == 1)
-            painter.fillRect(QRectF(mark.left(), middle - 1.0, swatch, 2.0), theme().text);
+            painter.fillRect(QRectF(mark.left(), middle - 1.0, legendSwatch, 2.0), theme().text);
         painter.setPen(theme().mutedText);
         painter.setLayoutDirection(directionOf(lines[i]));
         painter.drawText(QPointF(left, top + std::round(metrics.ascent())), lines[i]);

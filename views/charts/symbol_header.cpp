@@ -17,7 +17,7 @@ namespace {
 constexpr int symbolBase = 16;    ///< px from the top to the line of the symbols
 constexpr int unitBase = 31;      ///< px to that of the units
 constexpr double firstPad = 14.0; ///< px left of the numbers of the rows
-constexpr double pad = 6.0;       ///< px beside a text
+constexpr double headerPad = 6.0; ///< px beside a text
 constexpr int headerHeight = 38;  ///< px
 constexpr int unitPixels = 10;
 
@@ -57,7 +57,7 @@ QSize SymbolHeader::sectionSizeFromContents(int section) const
 {
     const double text = std::max(subscriptWidth(font(), symbol(section)),
                                  QFontMetricsF(unitFont()).horizontalAdvance(unit(section)));
-    return {static_cast<int>(std::ceil(text + 2.0 * pad)), scaledByText(headerHeight)};
+    return {static_cast<int>(std::ceil(text + 2.0 * headerPad)), scaledByText(headerHeight)};
 }
 
 void SymbolHeader::paintSection(QPainter *painter, const QRect &rect, int section) const
@@ -73,8 +73,8 @@ void SymbolHeader::paintSection(QPainter *painter, const QRect &rect, int sectio
                           double baseline) {
         painter->setFont(textFont);
         painter->setPen(colour);
-        const double x =
-            left ? rect.left() + pad : rect.right() + 1.0 - pad - subscriptWidth(textFont, text);
+        const double x = left ? rect.left() + headerPad
+                              : rect.right() + 1.0 - headerPad - subscriptWidth(textFont, text);
         drawSubscripted(*painter, {x, rect.top() + baseline}, text);
     };
     draw(font(), colours.text, symbol(section), scaledByText(symbolBase));
@@ -93,7 +93,7 @@ QSize NumberHeader::sectionSizeFromContents(int section) const
 {
     const QString text = model()->headerData(section, orientation(), Qt::DisplayRole).toString();
     const double width = QFontMetricsF(columnFont()).horizontalAdvance(text);
-    return {static_cast<int>(std::ceil(width + firstPad + pad)), defaultSectionSize()};
+    return {static_cast<int>(std::ceil(width + firstPad + headerPad)), defaultSectionSize()};
 }
 
 void NumberHeader::paintSection(QPainter *painter, const QRect &rect, int section) const
@@ -103,7 +103,8 @@ void NumberHeader::paintSection(QPainter *painter, const QRect &rect, int sectio
     painter->fillRect(rect, theme().panel);
     painter->setFont(columnFont());
     painter->setPen(colour.value<QColor>());
-    painter->drawText(QRectF(rect).adjusted(0.0, 0.0, -pad, 0.0), Qt::AlignRight | Qt::AlignVCenter,
+    painter->drawText(QRectF(rect).adjusted(0.0, 0.0, -headerPad, 0.0),
+                      Qt::AlignRight | Qt::AlignVCenter,
                       model()->headerData(section, orientation(), Qt::DisplayRole).toString());
     painter->restore();
 }

@@ -24,7 +24,7 @@ constexpr double leastFuture = 0.2;
 constexpr double followPart = 0.1;
 
 /// In and out again is where it began.
-constexpr double rounding = 1e-9;
+constexpr double timeRounding = 1e-9;
 
 bool holds(const TimeWindow::Span &span, double time)
 {
@@ -42,7 +42,7 @@ void TimeWindow::show(Kind kind)
 
 void TimeWindow::zoomTo(Span span, Span whole)
 {
-    if (span.length() >= (1.0 - rounding) * whole.length())
+    if (span.length() >= (1.0 - timeRounding) * whole.length())
         return show(Kind::All);
     if (m_kind != Kind::Zoomed)
         m_before = m_kind;

@@ -18,10 +18,10 @@ namespace cradle {
 
 namespace {
 
-constexpr int rowHeight = 22;  ///< px
-constexpr int narrowest = 150; ///< px
-constexpr int widest = 290;    ///< px
-constexpr int cellRoom = 44;   ///< px beside the texts of a row
+constexpr int localsRowHeight = 22; ///< px
+constexpr int narrowestTable = 150; ///< px
+constexpr int widestTable = 290;    ///< px
+constexpr int cellRoom = 44;        ///< px beside the texts of a row
 
 } // namespace
 
@@ -31,7 +31,7 @@ LocalsTable::LocalsTable(QWidget *parent)
     , m_none(new QLabel)
     , m_table(new QTableWidget(0, 2))
 {
-    setMinimumWidth(narrowest);
+    setMinimumWidth(narrowestTable);
     m_heading->setFont(headingFont());
     m_heading->setContentsMargins(12, 7, 12, 5);
     setKind(m_heading, "heading");
@@ -51,8 +51,8 @@ LocalsTable::LocalsTable(QWidget *parent)
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setMinimumSectionSize(scaledByText(rowHeight));
-    m_table->verticalHeader()->setDefaultSectionSize(scaledByText(rowHeight));
+    m_table->verticalHeader()->setMinimumSectionSize(scaledByText(localsRowHeight));
+    m_table->verticalHeader()->setDefaultSectionSize(scaledByText(localsRowHeight));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -94,7 +94,7 @@ QSize LocalsTable::sizeHint() const
             width = std::max(width, metrics.horizontalAdvance(m_table->item(row, c)->text()));
         }
     }
-    return {std::clamp(columns[0] + columns[1] + cellRoom, narrowest, widest), 160};
+    return {std::clamp(columns[0] + columns[1] + cellRoom, narrowestTable, widestTable), 160};
 }
 
 void LocalsTable::retranslate()

@@ -16,7 +16,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int margin = 12;       ///< px
+constexpr int groupMargin = 12;  ///< px
 constexpr int scrollBar = 10;    ///< px, where the groups are higher than the pane
 constexpr int groupGap = 24;     ///< px between World and Laws
 constexpr int besideTable = 640; ///< px that the table wants beside the other groups
@@ -25,7 +25,7 @@ QLabel *footLine(QWidget *parent, const char *kind)
 {
     auto *label = new QLabel(parent);
     label->setWordWrap(true);
-    label->setContentsMargins(margin, 0, margin, 6);
+    label->setContentsMargins(groupMargin, 0, groupMargin, 6);
     setKind(label, kind);
     label->hide();
     return label;
@@ -60,7 +60,7 @@ void Inspector::makeLayout()
     m_laws = new LawsGroup(m_document, content);
     m_circles = new CirclesGroup(m_document, content);
     m_groups = new QBoxLayout(QBoxLayout::TopToBottom, content);
-    m_groups->setContentsMargins(margin, 8, margin, 0);
+    m_groups->setContentsMargins(groupMargin, 8, groupMargin, 0);
     m_groups->setSpacing(6);
     m_top = new QBoxLayout(QBoxLayout::LeftToRight);
     m_top->addWidget(m_world);
@@ -147,13 +147,14 @@ void Inspector::showStartNote()
 void Inspector::arrange()
 {
     const int laws = m_laws->columnWidth();
-    const int oneRow = m_world->twoColumnWidth() + groupGap + laws + 2 * margin;
+    const int oneRow = m_world->twoColumnWidth() + groupGap + laws + 2 * groupMargin;
     m_world->arrange(oneRow <= width() ? WorldGroup::TwoColumns : WorldGroup::OneColumn);
-    const bool sideBySide = m_world->sizeHint().width() + groupGap + laws + 2 * margin <= width();
+    const bool sideBySide =
+        m_world->sizeHint().width() + groupGap + laws + 2 * groupMargin <= width();
     if (sideBySide) {
         m_laws->arrange(LawsGroup::Column);
     } else {
-        const int room = width() - 2 * margin - scrollBar;
+        const int room = width() - 2 * groupMargin - scrollBar;
         m_laws->arrange(m_laws->rowWidth() <= room            ? LawsGroup::Row
                         : m_laws->headedColumnWidth() <= room ? LawsGroup::HeadedColumn
                         : laws <= room                        ? LawsGroup::Column

@@ -17,7 +17,7 @@ namespace {
 constexpr int columnGap = 16; ///< px between two columns of fields
 
 template <typename P>
-auto &numberOf(P &preset, int field)
+auto &worldNumber(P &preset, int field)
 {
     switch (field) {
     case 0:
@@ -145,7 +145,7 @@ void WorldGroup::reload()
 {
     const Preset &preset = m_document.preset();
     for (int i = 0; i < FieldCount; ++i)
-        at(static_cast<Field>(i))->setValue(numberOf(preset, i));
+        at(static_cast<Field>(i))->setValue(worldNumber(preset, i));
     showLocks();
     const bool fraction = fractionOrNumber(preset.timestep).contains(QLatin1Char('/'));
     m_seconds->setText(fraction ? tr("= %1 s").arg(preset.timestep, 0, 'g', 3) : QString());
@@ -169,12 +169,12 @@ void WorldGroup::propose(Field field, double value, bool spinning)
     const QString texts[] = {tr("Change gravity"), tr("Change gravity"), tr("Change restitution"),
                              tr("Change timestep"), tr("Change half width")};
     Preset changed = m_document.preset();
-    numberOf(changed, field) = value;
+    worldNumber(changed, field) = value;
     if (field == HalfWidth && changed != m_document.preset())
         changed.fill.reset(); // its circles belong to the old square
     const QString key = spinning ? QStringLiteral("spin:/world/%1").arg(int{field}) : QString();
     if (m_document.edit(texts[field], changed, key))
-        at(field)->setValue(numberOf(m_document.preset(), field));
+        at(field)->setValue(worldNumber(m_document.preset(), field));
     else
         at(field)->setRefused(true);
 }

@@ -13,7 +13,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double edgeGap = 6.0;   ///< px from the edge of the picture to the tip
+constexpr double tipGap = 6.0;    ///< px from the edge of the picture to the tip
 constexpr double headSize = 12.0; ///< px
 constexpr double nameGap = 4.0;   ///< px
 
@@ -31,8 +31,8 @@ void addPointer(SceneDraft &draft, const Circle &circle, const QString &name, co
 {
     const QPointF there = camera.toPixels(circle.position);
     const QSizeF size = camera.viewport();
-    const QPointF tip(std::clamp(there.x(), edgeGap, std::max(edgeGap, size.width() - edgeGap)),
-                      std::clamp(there.y(), edgeGap, std::max(edgeGap, size.height() - edgeGap)));
+    const QPointF tip(std::clamp(there.x(), tipGap, std::max(tipGap, size.width() - tipGap)),
+                      std::clamp(there.y(), tipGap, std::max(tipGap, size.height() - tipGap)));
     const Vec2 to = camera.toMetres(tip);
     const Vec2 outwards = normalized(circle.position - to);
     const Vec2 from = to - (headSize / camera.pixelsPerMetre()) * outwards;

@@ -20,9 +20,9 @@ struct InsetText {
 };
 
 constexpr double frameOpacity = 0.9;
-constexpr double frameRounding = 4.0; ///< px
-constexpr double shaftWidth = 2.5;    ///< px
-constexpr double headLength = 9.0;    ///< px
+constexpr double frameRounding = 4.0;   ///< px
+constexpr double shaftWidth = 2.5;      ///< px
+constexpr double insetHeadLength = 9.0; ///< px
 
 void paintArrow(QPainter &painter, const MomentumInset::Arrow &arrow)
 {
@@ -34,7 +34,7 @@ void paintArrow(QPainter &painter, const MomentumInset::Arrow &arrow)
         painter.drawEllipse(arrow.from, shaftWidth, shaftWidth);
         return;
     }
-    const double head = std::min(headLength, whole);
+    const double head = std::min(insetHeadLength, whole);
     const double shaft = shaftWidth / 2;
     const double barb = head * arrowHeadAspect / 2;
     const QPolygonF outline{{0.0, -shaft}, {whole - head, -shaft}, {whole - head, -barb},

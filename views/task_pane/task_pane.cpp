@@ -16,7 +16,7 @@ namespace cradle {
 
 namespace {
 
-constexpr int narrowest = 260;        ///< px
+constexpr int narrowestPane = 260;    ///< px
 constexpr int resultHeight = 320;     ///< px, with a report; the student may change it
 constexpr int passedHeight = 190;     ///< px, of a step that was passed before
 constexpr double resultShare = 0.38;  ///< of the pane, at most
@@ -30,7 +30,7 @@ TaskPane::TaskPane(QWidget *parent)
     , m_instructions(new InstructionsPane)
     , m_result(new ResultPane(m_instructions->renderer()))
 {
-    setMinimumWidth(narrowest);
+    setMinimumWidth(narrowestPane);
     auto *splitter = new QSplitter(Qt::Vertical, this);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(m_instructions);
