@@ -24,8 +24,8 @@ constexpr double quietMoment = 1.0; ///< s after the start, where nothing hits
 const QString pictureInk = QStringLiteral("#212529");
 const QString kinetic = QStringLiteral("#1971c2");
 const QString potential = QStringLiteral("#7048e8");
-const QString along = QStringLiteral("#f08c00");
-const QString across = QStringLiteral("#0ca678");
+const QString alongColour = QStringLiteral("#f08c00");
+const QString acrossColour = QStringLiteral("#0ca678");
 
 template <typename Value>
 std::vector<Vec2> pointsOf(const Observation &run, Value value)
@@ -72,10 +72,10 @@ QByteArray momentumSvg(const Observation &run)
     return chartSvg(420.0, 150.0, RunPictureText::tr("Momentum of all circles, kg m/s"),
                     {{QStringLiteral("Σ p_x"),
                       pointsOf(run, [](const Totals &t) { return t.momentum.x; }),
-                      {along, 1.6}},
+                      {alongColour, 1.6}},
                      {QStringLiteral("Σ p_y"),
                       pointsOf(run, [](const Totals &t) { return t.momentum.y; }),
-                      {across, 1.6, QStringLiteral("6 2")}}});
+                      {acrossColour, 1.6, QStringLiteral("6 2")}}});
 }
 
 QByteArray energySvg(const Observation &run)

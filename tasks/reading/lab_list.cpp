@@ -17,7 +17,7 @@ namespace cradle {
 namespace {
 
 /// Far above what a lab.json needs.
-constexpr qint64 maxBytes = 256 * 1024;
+constexpr qint64 mostListBytes = 256 * 1024;
 /// Of a menu that can still be used.
 constexpr std::size_t maxLabs = 100;
 
@@ -27,7 +27,7 @@ QJsonObject objectIn(const QString &path, const QString &schema)
     // A pipe would keep the menu waiting.
     if (!QFileInfo(path).isFile())
         return {};
-    const Result<QByteArray> text = readFile(path, maxBytes);
+    const Result<QByteArray> text = readFile(path, mostListBytes);
     if (!text)
         return {};
     const Result<QJsonObject> json = parseJson(*text, QStringLiteral(":/schemas/") + schema, path);
