@@ -25,25 +25,25 @@ QString numberIn(const QString &name, const QString &pattern)
     return number.match(middle).hasMatch() ? middle : QString();
 }
 
-const QString kept = QStringLiteral("circle %1");
+const QString keptName = QStringLiteral("circle %1");
 
 } // namespace
 
 QString plainCircleName(std::size_t number)
 {
-    return kept.arg(number);
+    return keptName.arg(number);
 }
 
 QString shownCircleName(const QString &name)
 {
-    const QString number = numberIn(name, kept);
+    const QString number = numberIn(name, keptName);
     return number.isEmpty() ? name : NameText::tr("circle %1").arg(number);
 }
 
 QString keptCircleName(const QString &shown)
 {
     const QString number = numberIn(shown, NameText::tr("circle %1"));
-    return number.isEmpty() ? shown : kept.arg(number);
+    return number.isEmpty() ? shown : keptName.arg(number);
 }
 
 } // namespace cradle

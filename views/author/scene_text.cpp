@@ -14,7 +14,7 @@ namespace cradle {
 
 namespace {
 
-const QString field = QStringLiteral("text");
+const QString textField = QStringLiteral("text");
 
 } // namespace
 
@@ -55,7 +55,7 @@ void SceneText::showScene(StepPreset which)
     m_text->setReadOnly(m_document.isReadOnly() || m_path.isEmpty());
     const QString written = textOf(m_document.files(), m_path);
     m_texts.setSubject(m_path);
-    const RefusedTexts::Text *refused = m_texts.find(field, written);
+    const RefusedTexts::Text *refused = m_texts.find(textField, written);
     const QString text = refused ? refused->typed : written;
     if (m_text->toPlainText() != text) {
         m_loading = true;
@@ -72,13 +72,13 @@ void SceneText::takeText()
     const LabFiles files = withText(m_document.files(), m_path, m_text->toPlainText());
     const Result<Preset> scene = presetOf(files, m_document.step(), m_which);
     if (!scene) {
-        m_texts.keep(field, {.typed = m_text->toPlainText(),
-                             .value = textOf(m_document.files(), m_path),
-                             .reason = scene.error().toString()});
+        m_texts.keep(textField, {.typed = m_text->toPlainText(),
+                                 .value = textOf(m_document.files(), m_path),
+                                 .reason = scene.error().toString()});
         showReason();
         return;
     }
-    m_texts.drop(field);
+    m_texts.drop(textField);
     showReason();
     m_document.edit(tr("Write the scene"), files, QStringLiteral("sceneText:") + m_path);
 }

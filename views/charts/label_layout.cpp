@@ -10,15 +10,15 @@ namespace cradle {
 
 namespace {
 
-constexpr int places = 9;          ///< along a curve; above and below at each
-constexpr double gap = 2.0;        ///< px between a curve and its label
-constexpr double level = 1.5;      ///< px that a level curve may be off
-constexpr double beside = 4.0;     ///< px between a value's place and its label
-constexpr int besideValue = 4;     ///< places left, right, above and below of a value
-constexpr double uponCost = 20.0;  ///< crossed columns that a place upon the curve itself costs
-constexpr double inset = 8.0;      ///< px from the plot's left and right end
-constexpr double stayBonus = 12.0; ///< crossed columns that a label puts up with to stay
-constexpr double leftBonus = 0.5;  ///< crossed columns that a place further left is worth
+constexpr int places = 9;           ///< along a curve; above and below at each
+constexpr double gap = 2.0;         ///< px between a curve and its label
+constexpr double levelWithin = 1.5; ///< px that a level curve may be off
+constexpr double beside = 4.0;      ///< px between a value's place and its label
+constexpr int besideValue = 4;      ///< places left, right, above and below of a value
+constexpr double uponCost = 20.0;   ///< crossed columns that a place upon the curve itself costs
+constexpr double inset = 8.0;       ///< px from the plot's left and right end
+constexpr double stayBonus = 12.0;  ///< crossed columns that a label puts up with to stay
+constexpr double leftBonus = 0.5;   ///< crossed columns that a place further left is worth
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -74,7 +74,8 @@ bool isLevel(const CurveProfile &curve, const QRectF &rect, double y)
 {
     for (int x = static_cast<int>(rect.left()); x <= static_cast<int>(rect.right()); ++x) {
         if (curve.covers(x)
-            && (std::abs(curve.top(x) - y) > level || std::abs(curve.bottom(x) - y) > level))
+            && (std::abs(curve.top(x) - y) > levelWithin
+                || std::abs(curve.bottom(x) - y) > levelWithin))
             return false;
     }
     return true;

@@ -10,8 +10,8 @@ namespace cradle {
 
 namespace {
 
-constexpr double leastStride = 4.0; ///< px from one place that is tried to the next
-constexpr double across = 40.0;     ///< places that are tried, about
+constexpr double leastStride = 4.0;  ///< px from one place that is tried to the next
+constexpr double triedAcross = 40.0; ///< places that are tried, about
 constexpr double down = 24.0;
 constexpr double noteInset = 4.0;  ///< px from the edges of the plot
 constexpr double curveGap = 2.0;   ///< px that a note keeps from curves
@@ -45,7 +45,7 @@ NotePlace quietestPlace(const QRectF &plot, const std::vector<CurveProfile> &cur
 {
     const QRectF room = plot.adjusted(noteInset, noteInset, -noteInset, -noteInset);
     const QPointF first(std::round(room.left()), std::round(room.top()));
-    const double toRight = std::max(leastStride, std::floor(room.width() / across));
+    const double toRight = std::max(leastStride, std::floor(room.width() / triedAcross));
     const double toBottom = std::max(leastStride, std::floor(room.height() / down));
     NotePlace best{QRectF(first, size), hiddenColumns(plot, curves, QRectF(first, size))};
     double least = std::numeric_limits<double>::infinity();

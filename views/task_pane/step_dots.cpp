@@ -16,12 +16,12 @@ namespace cradle {
 
 namespace {
 
-constexpr double side = 12.0;      ///< px before the first dot and behind the last
-constexpr double usual = 12.0;     ///< px, the diameter of a dot at the usual size of texts
-constexpr double widest = 18.0;    ///< px from one dot to the next, likewise
-constexpr double narrowest = 13.0; ///< px, of any size
-constexpr double leastGap = 4.0;   ///< px between two dots
-constexpr int rowHeight = 26;      ///< px, at the usual size of texts
+constexpr double side = 12.0;       ///< px before the first dot and behind the last
+constexpr double usual = 12.0;      ///< px, the diameter of a dot at the usual size of texts
+constexpr double widestStep = 18.0; ///< px from one dot to the next, likewise
+constexpr double narrowest = 13.0;  ///< px, of any size
+constexpr double leastGap = 4.0;    ///< px between two dots
+constexpr int rowHeight = 26;       ///< px, at the usual size of texts
 
 void drawTick(QPainter &painter, const QRectF &dot, const QColor &colour)
 {
@@ -68,7 +68,7 @@ QSize StepDots::sizeHint() const
 QRectF StepDots::dotRect(int step) const
 {
     const double pitch =
-        std::min(widest * textScale(), (width() - 2.0 * side) / std::max(1, count()));
+        std::min(widestStep * textScale(), (width() - 2.0 * side) / std::max(1, count()));
     const double diameter = std::clamp(pitch - leastGap, usual, usual * textScale());
     const double along = side + step * pitch;
     const bool mirrored = layoutDirection() == Qt::RightToLeft;
