@@ -154,8 +154,9 @@ void RoomPlan::shareCode(QSize room, int task)
     const int scene = std::max(leastScene, static_cast<int>(scenePart * room.width()));
     const int high = std::max(leastSceneHeight, static_cast<int>(sceneHeightPart * room.height()));
     const int charts = std::max(100, room.height() - high);
-    m_window.resizeDocks({m_panes.taskDock, m_panes.codeDock}, {task, room.width() - task - scene},
-                         Qt::Horizontal);
+    // A window that opens on a small screen may not have the room yet.
+    const int code = std::max(1, room.width() - task - scene);
+    m_window.resizeDocks({m_panes.taskDock, m_panes.codeDock}, {task, code}, Qt::Horizontal);
     if (m_height == Height::Low) {
         m_window.resizeDocks({m_panes.momentumDock}, {charts}, Qt::Vertical);
         return;
