@@ -79,7 +79,9 @@ void TestSubmissionRuns::stoppedRunIsMadeAgain()
 void TestSubmissionRuns::runThatTakesTooMuchEndsWhereItWould()
 {
     const Task &step = task("L42T11");
-    const Submission submission(step.preset, step.solution);
+    // The work of a loop like this is not bounded by its text, so every instruction is counted.
+    const Submission submission(step.preset,
+                                step.solution + QStringLiteral("\nwhile step < 0 do end\n"));
     const Variant scene{.name = QStringLiteral("preset"), .preset = step.preset, .duration = 1.0};
     const auto goOn = [] { return false; };
     SubmissionRuns fresh(submission);
