@@ -76,7 +76,7 @@ private:
         if (!bytes)
             return;
         m_left -= bytes->size();
-        m_files.insert(QString::fromUtf8(path), std::move(*bytes));
+        m_files.insert(QString::fromUtf8(path), *bytes);
     }
 
     const QByteArray &m_root;

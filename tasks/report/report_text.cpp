@@ -99,7 +99,7 @@ QString describeReport(const CheckReport &report, const QString &program)
         text += behind(leftMargin, plainText(finding.message, terminalColumns - 2));
         if (finding.line > 0)
             text += wrapped(ReportText::tr("Look at %1:%2").arg(nameOf(program)).arg(finding.line),
-                            terminalColumns, leftMargin, margin)
+                            terminalColumns, leftMargin, leftMargin)
                     + QLatin1Char('\n');
         text += QLatin1Char('\n');
     }

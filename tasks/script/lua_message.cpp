@@ -135,7 +135,7 @@ QString plainRuntimeMessage(const QString &message)
         return LuaMessageText::tr("%1 is %2, so .. cannot join it to a text").arg(what, found);
     if (const QString found = type("attempt to get length of"); !found.isEmpty())
         return LuaMessageText::tr("%1 is %2, so it has no length").arg(what, found);
-    const QString text = translated(message, runtimeForms);
+    QString text = translated(message, runtimeForms);
     if (message.startsWith(QLatin1String("attempt to compare")))
         return LuaMessageText::tr(
                    "%1; only numbers compare with numbers (the length of a vector is "

@@ -64,7 +64,7 @@ std::optional<Error> Workspace::saveNote(const QString &taskId, const QString &t
         return Error{.message = NotesText::tr("another window works on this lab now; this one "
                                               "saves nothing more"),
                      .file = path};
-    const auto others = keepOthersNote(taskId);
+    auto others = keepOthersNote(taskId);
     if (auto error = write(path, text.toUtf8()))
         return error;
     m_notes.erase(taskId);

@@ -28,7 +28,8 @@ QRectF candidate(const QRectF &plot, const CurveProfile &curve, QSizeF size, int
     const double travel = plot.width() - size.width() - 2.0 * inset;
     if (travel < 0.0)
         return {};
-    const double x = inset + travel * (slot / 2) / (places - 1);
+    const int place = slot / 2; // two slots each
+    const double x = inset + travel * place / (places - 1);
     double top = infinity;
     double bottom = -infinity;
     for (int column = int(x); column <= int(x + size.width()); ++column) {
