@@ -26,6 +26,8 @@ private slots:
     void theBoundChangesNoRun();
     void longTextsCount();
     void largeTablesCount();
+    void sortingCounts();
+    void roomOfAnEmptiedTableCounts();
     void theLimitStopsWhatBeganUncounted();
     void linesAreWalkedAsEver();
 };
@@ -213,6 +215,31 @@ void TestWorkBound::largeTablesCount()
     QVERIFY(takesLittle(program, 2));
     QCOMPARE(countOf(program, 1000), 0);
     QVERIFY(countOf(program, 10'000) > 0);
+}
+
+void TestWorkBound::sortingCounts()
+{
+    const QString program = lua("local list = {3, 1, 2}\n"
+                                "function on_update(dt)\n"
+                                "  table['sort'](list)\n"
+                                "end");
+    QVERIFY(takesLittle(program, 2));
+    QVERIFY(countOf(program, 1) > 0);
+}
+
+void TestWorkBound::roomOfAnEmptiedTableCounts()
+{
+    const ScriptRun run = runScript(lua("local t = {}\n"
+                                        "function on_load()\n"
+                                        "  for i = 1, 100000 do t[i + 0.5] = true end\n"
+                                        "  for i = 1, 100000 do t[i + 0.5] = nil end\n"
+                                        "end\n"
+                                        "function on_update(dt)\n"
+                                        "  for i = 1, 10000 do pairs(t) end\n"
+                                        "end"),
+                                    1);
+    QVERIFY(run.error);
+    QCOMPARE(run.error->kind, ProgramError::Kind::Time);
 }
 
 void TestWorkBound::theLimitStopsWhatBeganUncounted()

@@ -24,6 +24,9 @@ struct PairsText {
 
 /// Instructions that a key counts: what Lua's own loop takes, and a share of sorting.
 constexpr qint64 instructionsPerKey = 10;
+/// A table may have room for far more keys than it holds, all of which is looked through: at most
+/// what all tables take. Bytes that take as long as an instruction.
+constexpr std::size_t bytesPerInstruction = 512;
 
 struct Key {
     enum class Rank { Integer, Number, Text, False, True, Circle, Vector, Other };
@@ -139,6 +142,7 @@ int orderedPairs(lua_State *L)
         lua_rawseti(L, 2, keys.back().slot);
     }
     charge(L, instructionsPerKey * static_cast<qint64>(keys.size()) * instructionsPerText(L));
+    charge(L, static_cast<qint64>(ScriptHost::of(L).memory.used() / bytesPerInstruction));
     const bool ordered = std::is_sorted(keys.begin(), keys.end());
     if (!ordered)
         std::sort(keys.begin(), keys.end());

@@ -162,12 +162,14 @@ void leaveCountOut(lua_State *L)
 {
     ScriptHost &host = ScriptHost::of(L);
     host.counts = false;
-    host.memory.callWhenMuch([](lua_State *running) {
-        ScriptHost::of(running).counts = true;
-        // It may be called in the midst of anything, as a signal would.
-        if (lua_gethookmask(running) == 0)
-            watch(running, false);
-    });
+    host.memory.callWhenMuch(countFromHere);
+}
+
+void countFromHere(lua_State *L)
+{
+    ScriptHost::of(L).counts = true;
+    if (lua_gethookmask(L) == 0)
+        watch(L, false);
 }
 
 void beginCount(lua_State *L)

@@ -20,6 +20,10 @@ void watch(lua_State *L, bool lines);
 /// large tables: what is done to these counts.
 void leaveCountOut(lua_State *L);
 
+/// Counts from here on, if the count was left out. It may be called in the midst of anything, as a
+/// signal would.
+void countFromHere(lua_State *L);
+
 /// Begins a new count for a step that runs in \p L, in this thread until endCount().
 void beginCount(lua_State *L);
 /// That step has come to an end or pauses.

@@ -61,12 +61,13 @@ int unpack(lua_State *L)
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
-/// Only looks at what sort is given.
+/// Only looks at what sort is given. What sort does is no work that the program's text bounds.
 int checkSort(lua_State *L)
 {
     luaL_checktype(L, 1, LUA_TTABLE);
     if (!lua_isnoneornil(L, 2))
         luaL_checktype(L, 2, LUA_TFUNCTION);
+    countFromHere(L);
     return 0;
 }
 
