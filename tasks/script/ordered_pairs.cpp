@@ -51,9 +51,9 @@ struct Key {
         case Rank::Text:
             return a.text < b.text;
         case Rank::Vector:
-            if (const auto x = std::strong_order(a.vector.x, b.vector.x); x != 0)
-                return x < 0;
-            return std::strong_order(a.vector.y, b.vector.y) < 0;
+            if (const auto x = std::strong_order(a.vector.x, b.vector.x); std::is_neq(x))
+                return std::is_lt(x);
+            return std::is_lt(std::strong_order(a.vector.y, b.vector.y));
         case Rank::False:
         case Rank::True:
         case Rank::Other:
