@@ -126,6 +126,9 @@ protected:
     int m_i;
 };
 
+/// Whether velocity and place do not follow from those before, or not from the circle's own.
+[[nodiscard]] std::optional<FlightSaid> carriedSaid(const FlightComparison &comparison);
+
 /// What is wrong with the way of a circle in a step; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
 

@@ -28,8 +28,8 @@ public:
             return {*fault};
         if (auto fault = leap(); fault && !flight(0).leap->isFast)
             return {*fault};
-        for (const auto law : {&FlightJudge::carriedOn, &FlightJudge::way}) {
-            if (auto fault = (this->*law)())
+        for (const auto law : {carriedSaid, waySaid}) {
+            if (auto fault = law(*this))
                 said.push_back(*fault);
             if (!said.empty() && !flight(0).isKnown)
                 return said;
@@ -59,8 +59,6 @@ private:
                 said.push_back(*fault);
         }
     }
-
-    [[nodiscard]] std::optional<FlightSaid> way() const { return waySaid(*this); }
 
     /// The same start must give the same step, whenever it comes in a run.
     [[nodiscard]] std::optional<FlightSaid> timeless() const
@@ -120,90 +118,6 @@ private:
             false);
         fault.moment = {flightStage(m_ground, gravity(), timestep(), leap.isFast), 1, {m_i}, false};
         return fault;
-    }
-
-    /// Velocity and place must follow from those before, and from the circle's own.
-    [[nodiscard]] std::optional<FlightSaid> carriedOn() const
-    {
-        const Flight &f = flight(0);
-        if (f.follows >= 0 && right().follows < 0)
-            return said(
-                FlightText::tr("Every step puts %who where circle %1 is").arg(f.follows + 1),
-                FlightText::tr("Wherever the two start, one step later they are at the "
-                               "same place. Each circle has a place and a velocity of its "
-                               "own and goes on from those: look at what the lines for "
-                               "one take from the other."),
-                true);
-        if (f.borrows >= 0 && right().borrows < 0)
-            return said(
-                FlightText::tr("The velocity of %who is taken from circle %1").arg(f.borrows + 1),
-                FlightText::tr("Whatever its own velocity was, one step later it has what "
-                               "circle %1 had, and what gravity adds: started with %2 "
-                               "m/s, it has %3 m/s. Each circle goes on from its own "
-                               "velocity: look at the names in the line that changes it.")
-                    .arg(f.borrows + 1)
-                    .arg(brief(f.startedWith), brief(f.turnedInto)),
-                false);
-        if (f.onlySlow && !right().onlySlow)
-            return said(FlightText::tr("Away from every wall a low speed of %who is taken away"),
-                        FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, far "
-                                       "from every wall and every other circle; a faster one "
-                                       "goes on. Look at the conditions in front of the "
-                                       "lines that change the velocity.")
-                            .arg(brief(f.startedWith), brief(f.turnedInto)),
-                        false);
-        if (f.resets && f.turnedInto == Vec2{} && !m_right.at(gravity(), timestep(), m_i).resets)
-            return said(
-                FlightText::tr("The velocity of %who is taken away at once, far from everything"),
-                FlightText::tr("Started with %1 m/s, away from every wall and every other "
-                               "circle, it rests one step later. Look at the lines that "
-                               "stop a circle, and at what is asked before they run: is it "
-                               "true although nothing touches?")
-                    .arg(brief(f.startedWith)),
-                false);
-        if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
-            return said(FlightText::tr("The velocity of %who is set anew in every step"),
-                        FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "
-                                       "it has from every other start. A step works the new "
-                                       "velocity out from the one that the circle has, which a "
-                                       "hit may have changed; a start is set once, in "
-                                       "`on_load`.")
-                            .arg(brief(f.startedWith), brief(f.turnedInto)),
-                        false);
-        if ((f.resetsX && !right().resetsX) || (f.resetsY && !right().resetsY))
-            return said(f.resetsX
-                            ? FlightText::tr("The x of the velocity of %who is set anew in every "
-                                             "step")
-                            : FlightText::tr("The y of the velocity of %who is set anew in every "
-                                             "step"),
-                        FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and "
-                                       "that part is the same from every other start. A step works "
-                                       "each part out from the one that the circle has, and keeps "
-                                       "it for the next.")
-                            .arg(brief(f.startedWith), brief(f.turnedInto)),
-                        false);
-        if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
-            return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
-                        FlightText::tr("In a scene in which circle %1 alone has a velocity, it is "
-                                       "%who that goes on by v Δt. Each circle moves with "
-                                       "its own velocity: look at the names in the line that "
-                                       "moves it.")
-                            .arg(f.leader + 1),
-                        true);
-        if (f.jumps && !m_right.at(gravity(), timestep(), m_i).jumps)
-            return said(FlightText::tr("The new place of %who does not depend on the old one"),
-                        FlightText::tr("Wherever it starts, after the same two steps it is at the "
-                                       "same place. A step *adds* a way to the old position."),
-                        true);
-        if (std::abs(f.carried - 1.0) > 1e-6 && !hasPull()
-            && std::abs(right().carried - 1.0) < 1e-6)
-            return said(FlightText::tr("The old place of %who is multiplied, too"),
-                        FlightText::tr("Two that start 1 m apart, at rest, are %1 m apart one step "
-                                       "of %2 s later. The old position is kept as it is; the way "
-                                       "v Δt is added to it: look at the brackets.")
-                            .arg(brief(f.carried), briefTimestep(timestep())),
-                        true);
-        return std::nullopt;
     }
 
     /// A change of the velocity of which a condition is to blame.

@@ -4,14 +4,14 @@
 
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/motion.h"
+#include "tasks/judging/breaches.h"
 #include "tasks/judging/check_plan.h"
 #include "tasks/judging/commit_message.h"
 #include "tasks/judging/findings.h"
-#include "tasks/judging/probe.h"
+#include "tasks/judging/last_assignment.h"
 #include "tasks/judging/remarks.h"
 #include "tasks/questions/answers.h"
 #include "tasks/runs/submission_runs.h"
-#include "tasks/script/locks.h"
 #include "tasks/script/student_script.h"
 
 #include <QCoreApplication>
@@ -45,31 +45,6 @@ qint64 processorMilliseconds()
     return qint64(taken.tv_sec) * 1000 + qint64(taken.tv_nsec) / 1'000'000;
 }
 
-/// The line of the program that last changed how the circle of \p fault moves, or any if it is of
-/// none alone, in that step of that scene; the last that set it, if none did; 0 without any.
-int lineOf(const Submission &submission, const Variant &variant, const Fault &fault)
-{
-    if (!submission.script || fault.step < 1)
-        return 0;
-    Probe probe(submission.program(), {variant.preset, variant.pinned});
-    while (probe.world().step < fault.step - 1) {
-        if (!probe.step())
-            return 0;
-    }
-    int line = 0;
-    bool changed = false;
-    for (const Assignment &assignment : probe.trace()) {
-        const bool moves = assignment.field == Assignment::Field::Position
-                           || assignment.field == Assignment::Field::Velocity;
-        if (!moves || (fault.circle >= 0 && assignment.circle != fault.circle))
-            continue;
-        if (assignment.changed || !changed)
-            line = assignment.line;
-        changed = changed || assignment.changed;
-    }
-    return line;
-}
-
 /// Judges one submission; used once.
 class Judgement
 {
@@ -88,8 +63,13 @@ public:
     bool run(CheckReport &report)
     {
         findEarlyError(report);
-        findChangedLock(report);
-        findWrongMover(report);
+        // Only a breach is told.
+        take(lockBreach(m_task, m_submission.preset), report);
+        if (m_submission.script && !report.error) {
+            auto mover = moverBreach(m_task, report.byProgram);
+            m_wrongMover = mover.has_value();
+            take(std::move(mover), report);
+        }
         std::vector<CheckPlan> plans;
         int total = 0;
         for (const CheckSpec &check : m_task.checks) {
@@ -159,37 +139,12 @@ private:
         report.byProgram = report.error || program.moves();
     }
 
-    /// Who programs moves the circles by his program where the step asks for that, and leaves them
-    /// to the laws where it asks for those.
-    void findWrongMover(CheckReport &report)
+    static void take(std::optional<CheckOutcome> breach, CheckReport &report)
     {
-        const bool idle = m_task.moves == Mover::Program && !report.byProgram;
-        const bool busy = m_task.moves == Mover::Laws && report.byProgram;
-        if (!m_submission.script || report.error || (!idle && !busy))
-            return;
-        m_wrongMover = true;
-        report.passed = false;
-        report.checks.push_back(
-            {.id = QStringLiteral("moves"),
-             .title = idle ? CheckerText::tr("Your program moves the circles")
-                           : CheckerText::tr("The laws of the scene move the circles"),
-             .message =
-                 idle ? CheckerText::tr("Nothing moves the circles: write on_update")
-                      : CheckerText::tr("Your program moves the circles: leave on_update out, and "
-                                        "the laws of the scene do it")});
-    }
-
-    /// What the step fixes is as the step has it; only a breach is told.
-    void findChangedLock(CheckReport &report) const
-    {
-        const auto field = firstChangedLock(m_task.preset, m_submission.preset, m_task.locked);
-        if (!field)
+        if (!breach)
             return;
         report.passed = false;
-        report.checks.push_back(
-            {.id = QStringLiteral("locked"),
-             .title = CheckerText::tr("What the step fixes is as the step has it"),
-             .message = lockReason(*field, m_task.preset)});
+        report.checks.push_back(std::move(*breach));
     }
 
     [[nodiscard]] const Observation &runOf(const Variant &variant)
@@ -241,7 +196,8 @@ private:
             return;
         fail(outcome, *fault, variant);
         if (m_submission.script)
-            outcome.line = lineOf(m_submission, variant, *fault);
+            outcome.line = lastAssignmentLine(m_submission, {variant.preset, variant.pinned},
+                                              fault->step, fault->circle);
     }
 
     static void fail(CheckOutcome &outcome, const Fault &fault, const Variant &variant)

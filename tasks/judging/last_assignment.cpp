@@ -59,4 +59,27 @@ void markLastAssignment(Finding &finding, const Moment &moment, const Task &task
     }
 }
 
+int lastAssignmentLine(const Submission &submission, const Stage &scene, qint64 step, int circle)
+{
+    if (!submission.script || step < 1)
+        return 0;
+    Probe probe(submission.program(), scene);
+    while (probe.world().step < step - 1) {
+        if (!probe.step())
+            return 0;
+    }
+    int line = 0;
+    bool changed = false;
+    for (const Assignment &assignment : probe.trace()) {
+        const bool moves = assignment.field == Assignment::Field::Position
+                           || assignment.field == Assignment::Field::Velocity;
+        if (!moves || (circle >= 0 && assignment.circle != circle))
+            continue;
+        if (assignment.changed || !changed)
+            line = assignment.line;
+        changed = changed || assignment.changed;
+    }
+    return line;
+}
+
 } // namespace cradle

@@ -14,4 +14,11 @@ namespace cradle {
 void markLastAssignment(Finding &finding, const Moment &moment, const Task &task,
                         const Submission &submission);
 
+/// The line of the program that last changed how a circle moves in a step of a scene; the last that
+/// set it, if none did; 0 without any.
+/// \param step    from 1; 0 is no step
+/// \param circle  from 0; any if it is negative
+[[nodiscard]] int lastAssignmentLine(const Submission &submission, const Stage &scene, qint64 step,
+                                     int circle);
+
 } // namespace cradle

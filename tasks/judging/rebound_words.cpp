@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/rebound_reading.h"
 #include "tasks/judging/response_reading.h"
 
 #include <QCoreApplication>
@@ -15,32 +16,6 @@ struct ReboundText {
 };
 
 constexpr double blur = 0.02; ///< of e
-
-/// How two equal circles came out of a hit with some e.
-struct Rebound {
-    double e = 1.0;
-    /// The e that fits the push of each: 2 |Δv| / u − 1, with the closing speed u.
-    double first = 1.0;
-    double second = 1.0;
-    double across1 = 1.0; ///< part across after / before
-    double across2 = 1.0;
-    double sum = 1.0; ///< of both parts along the normal, after / before
-};
-
-Rebound reboundOf(const PairHit &hit)
-{
-    if (!hit.isMet())
-        return {.e = hit.meeting.restitution, .first = -1.0, .second = -1.0};
-    const PairVelocities in = hit.cameParts();
-    const PairVelocities out = hit.leftParts();
-    const double u = in.along1 - in.along2;
-    return {.e = hit.meeting.restitution,
-            .first = 2.0 * (in.along1 - out.along1) / u - 1.0,
-            .second = 2.0 * (out.along2 - in.along2) / u - 1.0,
-            .across1 = out.across1 / in.across1,
-            .across2 = out.across2 / in.across2,
-            .sum = (out.along1 + out.along2) / (in.along1 + in.along2)};
-}
 
 /// Reads what e does from hits with several of its values.
 class ReboundJudge

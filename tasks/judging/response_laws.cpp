@@ -18,48 +18,6 @@ struct ResponseLawText {
 
 constexpr double hitBlur = 5e-3; ///< of a velocity: the line of centres turns a little in a step
 
-/// World velocities taken apart along the line of centres.
-PairVelocities apart(const EqualHit &h, Vec2 v1, Vec2 v2)
-{
-    const Vec2 n = h.hit.normal;
-    const Vec2 t = perpendicular(n);
-    return {dot(v1, n), dot(v1, t), dot(v2, n), dot(v2, t)};
-}
-
-Vec2 together(const EqualHit &h, double along, double across)
-{
-    return along * h.hit.normal + across * perpendicular(h.hit.normal);
-}
-
-/// What is right, with both pushes \p factor times as large.
-PairVelocities pushed(const EqualHit &h, double factor)
-{
-    const PairVelocities &in = h.in;
-    const PairVelocities &r = h.right;
-    return {in.along1 + factor * (r.along1 - in.along1),
-            in.across1 + factor * (r.across1 - in.across1),
-            in.along2 + factor * (r.along2 - in.along2),
-            in.across2 + factor * (r.across2 - in.across2)};
-}
-
-/// The parts along \p n change hands, as they should along the line of centres.
-PairVelocities exchangedAlong(const EqualHit &h, Vec2 n)
-{
-    const double u = dot(h.hit.came1 - h.hit.came2, n);
-    return apart(h, h.hit.came1 - u * n, h.hit.came2 + u * n);
-}
-
-Vec2 rotated(Vec2 v, double angle)
-{
-    return {std::cos(angle) * v.x - std::sin(angle) * v.y,
-            std::sin(angle) * v.x + std::cos(angle) * v.y};
-}
-
-double angleOf(const EqualHit &h)
-{
-    return std::atan2(h.hit.normal.y, h.hit.normal.x);
-}
-
 using Hit = const EqualHit &;
 
 /// Each circle by itself, or none of them.
@@ -233,64 +191,17 @@ std::vector<ResponseLaw> exchangeLaws()
          ResponseLawText::tr("The circles are drawn into each other.")}};
 }
 
-/// Directions other than the line of centres, and lengths other than 1.
-std::vector<ResponseLaw> directionLaws()
-{
-    const QString unit =
-        ResponseLawText::tr("A direction has length 1: divide it by its own length, "
-                            "else its length comes into the push, and twice.");
-    const QString line = ResponseLawText::tr("The push acts along the line from centre to centre.");
-    return {
-        {[](Hit h) {
-             return pushed(h,
-                           0.25 * (h.hit.before + h.hit.reached) * (h.hit.before + h.hit.reached));
-         },
-         ResponseLawText::tr("The normal does not have length 1"), unit},
-        {[](Hit h) { return pushed(h, 0.5 * (h.hit.before + h.hit.reached)); },
-         ResponseLawText::tr("The normal has length 1 in one place and not in the other"), unit},
-        {[](Hit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
-         ResponseLawText::tr("The perpendicular of the line of centres is taken for the normal"),
-         line},
-        {[](Hit h) {
-             return exchangedAlong(h, {h.hit.normal.y, h.hit.normal.x});
-         },
-         ResponseLawText::tr("The parts x and y of the normal are exchanged"),
-         ResponseLawText::tr("Where an angle is used: `math.atan` takes y first, then x.")},
-        {[](Hit h) {
-             return exchangedAlong(h, {h.hit.normal.x, -h.hit.normal.y});
-         },
-         ResponseLawText::tr("The normal is mirrored: the sign of its y is wrong"), line},
-        {[](Hit h) { return exchangedAlong(h, normalized(h.hit.came1)); },
-         ResponseLawText::tr("The push acts along the velocity of circle 1"), line},
-        {[](Hit h) {
-             return exchangedAlong(h, {1.0, 0.0});
-         },
-         ResponseLawText::tr("The x parts change hands, not those along the line of centres"),
-         line},
-        {[](Hit h) {
-             return exchangedAlong(h, {0.0, 1.0});
-         },
-         ResponseLawText::tr("The y parts change hands, not those along the line of centres"),
-         line},
-        {[](Hit h) {
-             const double back = -2.0 * angleOf(h);
-             return apart(h, rotated(together(h, h.right.along1, h.right.across1), back),
-                          rotated(together(h, h.right.along2, h.right.across2), back));
-         },
-         ResponseLawText::tr("The new velocities are turned back by the wrong angle"),
-         ResponseLawText::tr("Who turns by −φ before must turn by +φ afterwards.")},
-        {[](Hit h) {
-             const double back = -angleOf(h);
-             return apart(h, rotated(together(h, h.right.along1, h.right.across1), back),
-                          rotated(together(h, h.right.along2, h.right.across2), back));
-         },
-         ResponseLawText::tr("The new velocities are not turned back"),
-         ResponseLawText::tr(
-             "They are still taken apart along the line of centres: put them together "
-             "again.")}};
-}
-
 } // namespace
+
+PairVelocities pushed(const EqualHit &h, double factor)
+{
+    const PairVelocities &in = h.in;
+    const PairVelocities &r = h.right;
+    return {in.along1 + factor * (r.along1 - in.along1),
+            in.across1 + factor * (r.across1 - in.across1),
+            in.along2 + factor * (r.along2 - in.along2),
+            in.across2 + factor * (r.across2 - in.across2)};
+}
 
 bool isSameAnswer(const PairVelocities &a, const PairVelocities &b)
 {
@@ -303,6 +214,17 @@ bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits)
     return !hits.empty() && std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
         return isSameAnswer(h.hit.leftParts(), law.answer(h));
     });
+}
+
+std::vector<EqualHit> comparableHits(const std::vector<PairHit> &own,
+                                     const std::vector<PairHit> &right)
+{
+    std::vector<EqualHit> hits;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        if (own[i].isMet() && right[i].isMet() && own[i].isAligned() && right[i].isAligned())
+            hits.push_back({own[i], own[i].cameParts(), right[i].leftParts()});
+    }
+    return hits;
 }
 
 std::vector<ResponseLaw> knownResponses()

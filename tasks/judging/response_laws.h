@@ -26,6 +26,16 @@ struct ResponseLaw {
 /// The known ones, the most particular first.
 [[nodiscard]] std::vector<ResponseLaw> knownResponses();
 
+/// Those with another direction than the line of centres, or a length other than 1.
+[[nodiscard]] std::vector<ResponseLaw> directionLaws();
+
+/// What is right, with both pushes \p factor times as large.
+[[nodiscard]] PairVelocities pushed(const EqualHit &h, double factor);
+
+/// The hits that two programs had along the same line.
+[[nodiscard]] std::vector<EqualHit> comparableHits(const std::vector<PairHit> &own,
+                                                   const std::vector<PairHit> &right);
+
 /// Whether \p law gives what the student's circles did in all of \p hits.
 [[nodiscard]] bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits);
 

@@ -5,7 +5,13 @@
 #include "tasks/judging/deviation.h"
 #include "tasks/judging/measured_pair.h"
 
+#include <QCoreApplication>
+
 namespace cradle {
+
+struct ResponseText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
 
 /// A finding on how a hit is answered, shown at \p hit.
 [[nodiscard]] LawDeviation responseDeviation(const QString &headline, const QString &body,
@@ -13,6 +19,11 @@ namespace cradle {
 
 /// What came, what left, and what is right, in words.
 [[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);
+
+/// Of exponents, and of ratios of masses.
+inline constexpr double ratioBlur = 0.01;
+/// To what a reader would call it: 3 for 2.997.
+[[nodiscard]] double roundedExponent(double p);
 
 /// Whether all came along the line of centres, so that nothing depends on where exactly they met.
 [[nodiscard]] bool isHeadOn(const PairHit &hit);
@@ -34,6 +45,11 @@ struct MassExponents {
 
 /// A mass ratio other than 1 that equal circles have in every hit.
 [[nodiscard]] std::optional<double> fixedMassRatio(const MeasuredPair &pair);
+
+/// Where the masses differ, that the two pushes are not those of one impulse: one circle alone
+/// leaves as it should, each has the other's share of the rebound, or momentum is lost.
+[[nodiscard]] std::optional<LawDeviation> sharedPushDeviation(const MeasuredPair &own,
+                                                              const MeasuredPair &right);
 
 /// In what the masses of \p own are not those of \p right.
 [[nodiscard]] std::vector<LawDeviation> massDeviations(const MeasuredPair &own,

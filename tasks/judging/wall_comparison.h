@@ -45,11 +45,17 @@ protected:
     const Ground &m_ground;
 };
 
+/// That walls turn nothing round.
+[[nodiscard]] std::vector<LawDeviation> missingDeviations(const WallComparison &walls);
 /// Where walls turn circles at another place than their rim.
 [[nodiscard]] std::vector<LawDeviation> reachDeviations(const WallComparison &walls);
 /// That the slow \p hit comes too early, where the fast ones go too far in a step to tell.
 [[nodiscard]] LawDeviation slowReachDeviation(const WallComparison &walls, const WallHit &hit,
                                               const std::vector<int> &circles);
+/// That slow hits alone come too early.
+[[nodiscard]] std::optional<LawDeviation> slowEarlyDeviation(const WallComparison &walls);
+/// What walls make of a slow circle that they do not make of a fast one.
+[[nodiscard]] std::optional<LawDeviation> slowAnswerDeviation(const WallComparison &walls);
 /// What walls make of a velocity that they should not.
 [[nodiscard]] std::optional<LawDeviation> answerDeviation(const WallComparison &walls);
 

@@ -62,6 +62,9 @@ private:
     /// What became of the other circles, if they are away from all walls, in the same step.
     void lookAtOthers(WallHit &hit, const std::vector<Circle> &before, const Probe &probe) const;
 
+    /// Of a velocity, relative: what no rounding makes.
+    static constexpr double wallKick = 1e-6;
+
     const QString *m_program;
     const Ground &m_ground;
     const MeasuredFlight &m_flight;

@@ -9,32 +9,6 @@
 
 namespace cradle {
 
-LawDeviation WallComparison::deviation(const QString &headline, const QString &body,
-                                       const WallHit &hit, const std::vector<int> &circles,
-                                       Suspect suspect, bool isPosition) const
-{
-    const QString names = circleNames(circles, m_ground.flights.size());
-    QString message = headline + QStringLiteral("\n\n") + body;
-    message.replace(QLatin1String("%who"), names);
-    return {Aspect::Walls,
-            message,
-            {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition},
-            suspect};
-}
-
-QString WallComparison::namesOf(const std::set<Wall> &walls)
-{
-    QStringList names;
-    for (const Wall wall : walls)
-        names.append(motion::wallName(wall));
-    return names.join(QStringLiteral(", "));
-}
-
-QString WallComparison::inBrackets(const std::set<Wall> &walls)
-{
-    return WallText::tr(" (%1)", "walls").arg(namesOf(walls));
-}
-
 namespace {
 
 /// Judges the walls of one program.
@@ -45,17 +19,16 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> judge()
     {
-        findMissing();
+        take(missingDeviations(*this));
         findReach();
         findLeap();
         findPutOut();
-        if (const auto answer = answerDeviation(*this))
-            m_found.push_back(*answer);
+        take(answerDeviation(*this));
         findDisturbed();
         findCorners();
         findNoWayBack();
         if (m_found.empty())
-            findSlow();
+            take(slowAnswerDeviation(*this));
         return std::move(m_found);
     }
 
@@ -66,92 +39,22 @@ private:
         m_found.push_back(deviation(headline, body, hit, circles, suspect, isPosition));
     }
 
-    void findMissing()
+    template <class Deviations>
+    void take(const Deviations &found)
     {
-        std::vector<std::pair<int, std::set<Wall>>> open;
-        const WallHit *first = nullptr;
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            const WallHit &hit = m_own.hits[i];
-            if (hit.missed || hit.turned || hit.held || !rightOf(i).turned)
-                continue;
-            first = first ? first : &hit;
-            if (open.empty() || open.back().first != hit.circle)
-                open.push_back({hit.circle, {}});
-            open.back().second.insert(hit.wall);
-        }
-        if (open.empty())
-            return;
-        const bool all = std::all_of(open.begin(), open.end(),
-                                     [](const auto &each) { return each.second.size() == 4; });
-        std::vector<int> circles;
-        for (const auto &[circle, walls] : open)
-            circles.push_back(circle);
-        if (all) {
-            add(WallText::tr("None of the four walls turns %who round"),
-                WallText::tr("Thrown at each of the four walls, %1 m/s fast, it goes on through "
-                             "them. After every move each circle needs its questions: is its rim "
-                             "past a wall?")
-                    .arg(brief(
-                        length(first->stage.preset.circles[static_cast<std::size_t>(first->circle)]
-                                   .body.velocity))),
-                as(*first), circles, Suspect::Omission);
-            noteMissing(circles);
-            return;
-        }
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            const auto &[circle, walls] = open[i];
-            std::vector<int> same{circle};
-            for (std::size_t j = i + 1; j < open.size(); ++j) {
-                if (open[j].second == walls)
-                    same.push_back(open[j].first);
-            }
-            std::erase_if(open, [&, w = walls, c = circle](const auto &each) {
-                return each.first != c && each.second == w;
-            });
-            const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
-                return h.circle == same.front() && !h.turned && !h.held && !h.missed;
-            });
-            add(WallText::tr("These walls do not turn %who round: %1").arg(namesOf(open[i].second)),
-                WallText::tr("Thrown there it goes on past the wall. A square has four walls: look "
-                             "at the question that your program asks for each."),
-                as(*at), same, Suspect::Omission);
-            noteMissing(same);
-        }
-    }
-
-    /// Of the fault that was found last.
-    void noteMissing(const std::vector<int> &circles)
-    {
-        m_found.back().family = QStringLiteral("missing");
-        m_found.back().shown = static_cast<int>(
-            std::count_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-                return std::find(circles.begin(), circles.end(), hit.circle) != circles.end()
-                       && !hit.turned && !hit.held && !hit.missed;
-            }));
-    }
-
-    /// A hit that does not come, at the step in which it should.
-    [[nodiscard]] WallHit as(WallHit missing) const
-    {
-        for (const WallHit &right : m_right.hits) {
-            if (right.circle == missing.circle && right.wall == missing.wall && right.turned) {
-                missing.step = right.step;
-                break;
-            }
-        }
-        return missing;
+        if constexpr (requires { found.begin(); })
+            m_found.insert(m_found.end(), found.begin(), found.end());
+        else if (found)
+            m_found.push_back(*found);
     }
 
     void findReach()
     {
-        std::vector<LawDeviation> found = reachDeviations(*this);
-        const auto early = slowHits([](const WallHit &hit, const WallHit &right) {
-            return hit.turned && hit.reached > hit.radius + 1e-9 && right.fits(right.radius);
-        });
-        if (found.empty() && !early.empty())
-            found.push_back(slowReachDeviation(*this, m_own.slow[early.front()], circlesOf(early)));
-        m_isElsewhere = !found.empty();
-        m_found.insert(m_found.end(), found.begin(), found.end());
+        const std::size_t before = m_found.size();
+        take(reachDeviations(*this));
+        if (m_found.size() == before)
+            take(slowEarlyDeviation(*this));
+        m_isElsewhere = m_found.size() > before;
     }
 
     void findLeap()
@@ -276,87 +179,6 @@ private:
                 return;
             }
         }
-    }
-
-    /// Whether that circle is turned at that wall when it is fast.
-    [[nodiscard]] bool turnsFast(const WallHit &slow) const
-    {
-        return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &h) {
-            return h.circle != slow.circle || h.wall != slow.wall || h.turned;
-        });
-    }
-
-    /// The slow hits of which \p isOff is true, where the fast and the reference's are turned: all
-    /// those at the wall of the first.
-    template <class IsOff>
-    [[nodiscard]] std::vector<std::size_t> slowHits(IsOff isOff) const
-    {
-        std::vector<std::size_t> found;
-        for (std::size_t i = 0; i < m_own.slow.size(); ++i) {
-            const WallHit &hit = m_own.slow[i];
-            if (!hit.missed && !hit.held && m_right.slow[i].turned && turnsFast(hit)
-                && (found.empty() || m_own.slow[found.front()].wall == hit.wall)
-                && isOff(hit, m_right.slow[i]))
-                found.push_back(i);
-        }
-        return found;
-    }
-
-    [[nodiscard]] std::vector<int> circlesOf(const std::vector<std::size_t> &slow) const
-    {
-        std::vector<int> circles;
-        for (const std::size_t i : slow)
-            circles.push_back(m_own.slow[i].circle);
-        return circles;
-    }
-
-    static QString speedInto(const WallHit &h)
-    {
-        return brief(dot(outwardNormal(h.wall),
-                         h.stage.preset.circles[static_cast<std::size_t>(h.circle)].body.velocity));
-    }
-
-    /// What turns round when it is fast.
-    void findSlow()
-    {
-        const auto open = slowHits([](const WallHit &hit, const WallHit &) { return !hit.turned; });
-        if (!open.empty())
-            return addSlowOpen(open);
-        const auto odd = slowHits([](const WallHit &hit, const WallHit &right) {
-            return hit.turned && std::abs(hit.back - right.back) > slowBlur;
-        });
-        if (!odd.empty())
-            addSlowOdd(odd);
-    }
-
-    /// Of the share that comes back, where what falls in the step of a slow hit counts most.
-    static constexpr double slowBlur = 0.05;
-
-    void addSlowOpen(const std::vector<std::size_t> &open)
-    {
-        WallHit hit = m_own.slow[open.front()];
-        hit.step = m_right.slow[open.front()].step;
-        add(WallText::tr("Slow hits at the walls do not turn %who round"),
-            WallText::tr("Circle %1 came to the %2 with %3 m/s and went on past it; with "
-                         "%4 m/s it is turned round. How fast it comes does not matter: "
-                         "what counts is whether its rim is past the wall, and which way "
-                         "it moves.")
-                .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall), speedInto(hit),
-                     speedInto(m_own.hits.front())),
-            hit, circlesOf(open), Suspect::Question);
-    }
-
-    void addSlowOdd(const std::vector<std::size_t> &odd)
-    {
-        const WallHit &hit = m_own.slow[odd.front()];
-        add(WallText::tr("Slow hits at the walls give %who another share of the speed back"),
-            WallText::tr("With e = %1 circle %2 came to the %3 with %4 m/s and left it "
-                         "with %5 times that speed; %6 times is right. The factor is the "
-                         "same for every speed.")
-                .arg(brief(hit.restitution), QString::number(hit.circle + 1),
-                     motion::wallName(hit.wall), brief(dot(outwardNormal(hit.wall), hit.came)),
-                     brief(hit.back), brief(m_right.slow[odd.front()].back)),
-            hit, circlesOf(odd), Suspect::Formula);
     }
 
     void addAgain(int circle, const Stage &stage, qint64 step)

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/contact_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cradle {
+
+namespace {
+
+class DistanceJudge : ContactComparison
+{
+public:
+    using ContactComparison::ContactComparison;
+
+    [[nodiscard]] std::vector<LawDeviation> judge()
+    {
+        findDistance();
+        return std::move(m_found);
+    }
+
+private:
+    void findDistance()
+    {
+        const auto sum = [](const PairHit &hit) { return hit.meeting.sum(); };
+        if (fitsAll(sum))
+            return;
+        const PairHit &hit = farthestOff();
+        for (const ContactTest &test : contactTests(m_ground.pair.radii)) {
+            if (!fitsAll(test.distance))
+                continue;
+            QString body = test.body;
+            body.replace(QLatin1String("%1"), brief(hit.meeting.sum()));
+            body.replace(QLatin1String("%2"), brief(test.distance(hit)));
+            if (!test.body.contains(QLatin1String("%2")))
+                body += QLatin1Char(' ') + seen(hit);
+            add(test.headline, body, hit, Suspect::Reach);
+            return;
+        }
+        findOtherDistance(hit);
+    }
+
+    [[nodiscard]] bool fitsAll(const std::function<double(const PairHit &)> &distance) const
+    {
+        return std::all_of(m_own.contacts.begin(), m_own.contacts.end(), [&](const PairHit &hit) {
+            return !hit.isMet() || hit.fits(distance(hit));
+        });
+    }
+
+    /// Unequal circles show best whose radius counts.
+    static double shows(const PairHit &h)
+    {
+        return h.meeting.radius1 == h.meeting.radius2 ? 0.1 : 1.0;
+    }
+
+    /// The contact whose answer is farthest from the right place.
+    [[nodiscard]] const PairHit &farthestOff() const
+    {
+        return *std::max_element(
+            m_own.contacts.begin(), m_own.contacts.end(), [](const PairHit &a, const PairHit &b) {
+                const auto off = [](const PairHit &h) {
+                    return h.isMet() && !h.fits(h.meeting.sum())
+                               ? std::abs(h.before - h.meeting.sum()) * shows(h)
+                               : -1.0;
+                };
+                return off(a) < off(b);
+            });
+    }
+
+    static QString seen(const PairHit &hit)
+    {
+        const double degrees = hit.meeting.degrees;
+        return ContactText::tr("With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their "
+                               "centres were between %4 and %5 m apart.")
+            .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(degrees),
+                 brief(hit.reached), brief(hit.before));
+    }
+
+    void findOtherDistance(const PairHit &hit)
+    {
+        const auto &all = m_own.contacts;
+        // Who answers some in time and pushes in a wrong direction asks for approach along that.
+        if (isDirectionWrong() && std::any_of(all.begin(), all.end(), [](const PairHit &h) {
+                return h.isMet() && h.fits(h.meeting.sum());
+            }))
+            return;
+        double low = 0.0;
+        double high = std::numeric_limits<double>::infinity();
+        double late = high; // an answer may be a step late
+        for (const PairHit &h : all) {
+            low = std::max(low, h.reached);
+            high = std::min(high, h.before);
+            late = std::min(late, 2.0 * h.before - h.reached);
+        }
+        high = low <= high ? high : late;
+        const bool answersAll =
+            std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
+        if (m_ground.pair.radii.isVaried() && answersAll && low <= high) {
+            add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
+                ContactText::tr("Whatever the radii are, they answer at the same distance, "
+                                "between %1 and %2 m.")
+                        .arg(brief(low), brief(high))
+                    + QLatin1Char(' ') + seen(hit),
+                hit, Suspect::Reach);
+            return;
+        }
+        const bool early = hit.reached > hit.meeting.sum();
+        // What comes right from some sides has the reach right; the distance is not.
+        const bool isOfSides = std::any_of(all.begin(), all.end(), [&](const PairHit &h) {
+            return h.meeting.radius1 == hit.meeting.radius1
+                   && h.meeting.radius2 == hit.meeting.radius2 && isInTime(h);
+        });
+        add(early ? ContactText::tr("The circles answer before they touch")
+                  : ContactText::tr("The circles answer too late"),
+            seen(hit) + QLatin1Char(' ')
+                + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.")
+                      .arg(brief(hit.meeting.sum())),
+            hit, Suspect::Reach);
+        if (isOfSides)
+            m_found.back().topic = Topic::Distance;
+    }
+};
+
+} // namespace
+
+std::vector<LawDeviation> distanceDeviations(const MeasuredPair &own, const MeasuredPair &right,
+                                             const Ground &ground)
+{
+    return DistanceJudge(own, right, ground).judge();
+}
+
+} // namespace cradle

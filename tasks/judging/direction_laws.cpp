@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/response_laws.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+struct DirectionLawText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+/// World velocities taken apart along the line of centres.
+PairVelocities apart(const EqualHit &h, Vec2 v1, Vec2 v2)
+{
+    const Vec2 n = h.hit.normal;
+    const Vec2 t = perpendicular(n);
+    return {dot(v1, n), dot(v1, t), dot(v2, n), dot(v2, t)};
+}
+
+Vec2 together(const EqualHit &h, double along, double across)
+{
+    return along * h.hit.normal + across * perpendicular(h.hit.normal);
+}
+
+/// The parts along \p n change hands, as they should along the line of centres.
+PairVelocities exchangedAlong(const EqualHit &h, Vec2 n)
+{
+    const double u = dot(h.hit.came1 - h.hit.came2, n);
+    return apart(h, h.hit.came1 - u * n, h.hit.came2 + u * n);
+}
+
+Vec2 rotated(Vec2 v, double angle)
+{
+    return {std::cos(angle) * v.x - std::sin(angle) * v.y,
+            std::sin(angle) * v.x + std::cos(angle) * v.y};
+}
+
+double angleOf(const EqualHit &h)
+{
+    return std::atan2(h.hit.normal.y, h.hit.normal.x);
+}
+
+using DirectedHit = const EqualHit &;
+
+} // namespace
+
+std::vector<ResponseLaw> directionLaws()
+{
+    const QString unit =
+        DirectionLawText::tr("A direction has length 1: divide it by its own length, "
+                             "else its length comes into the push, and twice.");
+    const QString line =
+        DirectionLawText::tr("The push acts along the line from centre to centre.");
+    return {
+        {[](DirectedHit h) {
+             return pushed(h,
+                           0.25 * (h.hit.before + h.hit.reached) * (h.hit.before + h.hit.reached));
+         },
+         DirectionLawText::tr("The normal does not have length 1"), unit},
+        {[](DirectedHit h) { return pushed(h, 0.5 * (h.hit.before + h.hit.reached)); },
+         DirectionLawText::tr("The normal has length 1 in one place and not in the other"), unit},
+        {[](DirectedHit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
+         DirectionLawText::tr("The perpendicular of the line of centres is taken for the normal"),
+         line},
+        {[](DirectedHit h) {
+             return exchangedAlong(h, {h.hit.normal.y, h.hit.normal.x});
+         },
+         DirectionLawText::tr("The parts x and y of the normal are exchanged"),
+         DirectionLawText::tr("Where an angle is used: `math.atan` takes y first, then x.")},
+        {[](DirectedHit h) {
+             return exchangedAlong(h, {h.hit.normal.x, -h.hit.normal.y});
+         },
+         DirectionLawText::tr("The normal is mirrored: the sign of its y is wrong"), line},
+        {[](DirectedHit h) { return exchangedAlong(h, normalized(h.hit.came1)); },
+         DirectionLawText::tr("The push acts along the velocity of circle 1"), line},
+        {[](DirectedHit h) {
+             return exchangedAlong(h, {1.0, 0.0});
+         },
+         DirectionLawText::tr("The x parts change hands, not those along the line of centres"),
+         line},
+        {[](DirectedHit h) {
+             return exchangedAlong(h, {0.0, 1.0});
+         },
+         DirectionLawText::tr("The y parts change hands, not those along the line of centres"),
+         line},
+        {[](DirectedHit h) {
+             const double back = -2.0 * angleOf(h);
+             return apart(h, rotated(together(h, h.right.along1, h.right.across1), back),
+                          rotated(together(h, h.right.along2, h.right.across2), back));
+         },
+         DirectionLawText::tr("The new velocities are turned back by the wrong angle"),
+         DirectionLawText::tr("Who turns by −φ before must turn by +φ afterwards.")},
+        {[](DirectedHit h) {
+             const double back = -angleOf(h);
+             return apart(h, rotated(together(h, h.right.along1, h.right.across1), back),
+                          rotated(together(h, h.right.along2, h.right.across2), back));
+         },
+         DirectionLawText::tr("The new velocities are not turned back"),
+         DirectionLawText::tr(
+             "They are still taken apart along the line of centres: put them together "
+             "again.")}};
+}
+
+} // namespace cradle

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/fault_lines.h"
+
+#include "tasks/judging/flight_words.h"
+#include "tasks/judging/line_at_fault.h"
+#include "tasks/judging/line_guess.h"
+#include "tasks/judging/mending.h"
+#include "tasks/judging/push_origin.h"
+#include "tasks/judging/value_origin.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Findings whose line is proven; those behind wait until the first are mended.
+constexpr std::size_t mostProven = 2;
+
+Aspect aspectOf(const LawDeviation &deviation)
+{
+    return deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
+}
+
+} // namespace
+
+FaultLines::FaultLines(const Task &task, const Submission &submission,
+                       const StepDeviations &deviations, const MeasuredLaws &own,
+                       const MeasuredLaws &right, const Ground &ground, bool proves)
+    : m_task(task)
+    , m_submission(submission)
+    , m_deviations(deviations)
+    , m_own(own)
+    , m_right(right)
+    , m_ground(ground)
+    , m_proves(proves)
+{
+}
+
+bool FaultLines::isMendedBefore(const LawDeviation &deviation,
+                                const std::vector<Finding> &before) const
+{
+    if (deviation.aspect == Aspect::Start || m_mended.empty())
+        return false;
+    const Aspect aspect = aspectOf(deviation);
+    const std::vector<LawDeviation> all = m_deviations.besides(m_own, aspect);
+    return std::any_of(m_mended.begin(), m_mended.end(), [&](const auto &mended) {
+        const MeasuredLaws &laws = mended->laws;
+        return seesAsMuch(laws, aspect, before)
+               && mendingOf(deviation, all, m_deviations.besides(laws, aspect)) == Mending::All;
+    });
+}
+
+void FaultLines::point(Finding &finding, const LawDeviation &deviation,
+                       const std::vector<Finding> &before)
+{
+    if (!m_submission.script || deviation.moment.start)
+        return;
+    const RanLines ran = ranLines(*m_submission.script, deviation.moment);
+    const ValueOrigin origin(*m_submission.script, m_task.solution, deviation.moment, ran,
+                             deviation.aspect != Aspect::Motion);
+    std::optional<int> workedOut;
+    if (!deviation.moment.circles.empty() && origin.isWriteBack(finding.line))
+        workedOut = origin.of(finding.line);
+    const int proven =
+        provenLine(deviation, ran, workedOut && *workedOut > 0 ? *workedOut : finding.line, before);
+    const int line =
+        proven != 0 ? proven
+                    : guessedLine(*m_submission.script, deviation, ran,
+                                  {finding.line, workedOut, finding.calls, [&] {
+                                       return PushOrigin::isSizeWrong(
+                                           *m_submission.script, m_task.solution, deviation.moment);
+                                   }});
+    if (line == finding.line)
+        return;
+    finding.line = line;
+    finding.calls.clear();
+}
+
+int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, int last,
+                           const std::vector<Finding> &before)
+{
+    const Moment &moment = deviation.moment;
+    if (!m_proves || m_deviations.isOfChecks() || moment.circles.empty()
+        || before.size() >= mostProven)
+        return 0;
+    const Aspect aspect = aspectOf(deviation);
+    const std::vector<LawDeviation> all = m_deviations.besides(m_own, aspect);
+    const auto repair =
+        repairOf({*m_submission.script, m_task.solution, moment, ran, deviation.suspect, last,
+                  aspect != Aspect::Motion, [&](const QString &program) {
+                      const MeasuredLaws laws(&program, m_ground);
+                      return seesAsMuch(laws, aspect, before)
+                                 ? mendingOf(deviation, all, m_deviations.besides(laws, aspect))
+                                 : Mending::None;
+                  }});
+    if (!repair)
+        return 0;
+    m_mended.push_back(std::make_unique<Mended>(repair->source, m_ground));
+    return repair->line;
+}
+
+bool FaultLines::seesAsMuch(const MeasuredLaws &laws, Aspect aspect,
+                            const std::vector<Finding> &before) const
+{
+    for (const LawDeviation &flight : flightDeviations(laws.flight(), m_right.flight(), m_ground)) {
+        const auto same = [&](const Finding &f) { return f.message == flight.message; };
+        if (aspect != Aspect::Motion && std::none_of(before.begin(), before.end(), same))
+            return false;
+    }
+    if (aspect == Aspect::Walls)
+        return laws.walls().judged == m_own.walls().judged;
+    return aspect == Aspect::Motion || laws.pair().isJudged;
+}
+
+} // namespace cradle

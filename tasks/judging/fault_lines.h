@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/ran_lines.h"
+#include "tasks/judging/step_deviations.h"
+
+#include <memory>
+
+namespace cradle {
+
+/// The lines at fault of one submission, fault by fault, and what the changes that prove them mend
+/// besides.
+class FaultLines
+{
+public:
+    /// All must live as long.
+    /// \param proves  whether lines are proven; else they are guessed
+    FaultLines(const Task &task, const Submission &submission, const StepDeviations &deviations,
+               const MeasuredLaws &own, const MeasuredLaws &right, const Ground &ground,
+               bool proves);
+
+    /// Marks in \p finding, which has the last assignment, a better line if there is one.
+    /// \param before  the findings that come before it
+    void point(Finding &finding, const LawDeviation &deviation, const std::vector<Finding> &before);
+
+    /// Whether the change that mends what was found before mends this, too: it is the same fault.
+    [[nodiscard]] bool isMendedBefore(const LawDeviation &deviation,
+                                      const std::vector<Finding> &before) const;
+
+private:
+    /// The student's program with a change that mends a finding.
+    struct Mended {
+        Mended(QString source, const Ground &ground)
+            : program(std::move(source))
+            , laws(&program, ground)
+        {
+        }
+        QString program;
+        MeasuredLaws laws;
+    };
+
+    [[nodiscard]] int provenLine(const LawDeviation &deviation, const RanLines &ran, int last,
+                                 const std::vector<Finding> &before);
+    /// Whether as much can be told of a changed program: what cannot be measured is not mended.
+    [[nodiscard]] bool seesAsMuch(const MeasuredLaws &laws, Aspect aspect,
+                                  const std::vector<Finding> &before) const;
+
+    const Task &m_task;
+    const Submission &m_submission;
+    const StepDeviations &m_deviations;
+    const MeasuredLaws &m_own;
+    const MeasuredLaws &m_right;
+    const Ground &m_ground;
+    bool m_proves;
+    std::vector<std::unique_ptr<const Mended>> m_mended{};
+};
+
+} // namespace cradle

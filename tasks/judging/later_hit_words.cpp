@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/response_law_words.h"
+#include "tasks/judging/response_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cradle {
+
+std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const MeasuredPair &right)
+{
+    if (!own.later || !right.later)
+        return std::nullopt;
+    const PairHit &one = own.later->first;
+    const PairHit &two = own.later->second;
+    const Vec2 n1 = normalized(one.push2());
+    const Vec2 n2 = normalized(two.push2());
+    const auto off = [](Vec2 n, const PairHit &hit) {
+        return std::min(std::abs(cross(n, hit.normal)), std::abs(cross(n, hit.nextNormal)));
+    };
+    if (off(n1, one) < 0.1 && off(n2, two) > 0.15 && length(n2 - n1) < 1e-3) {
+        const auto degrees = [](Vec2 n) {
+            return brief(std::atan2(n.y, n.x) * 180.0 / std::numbers::pi);
+        };
+        return responseDeviation(
+            ResponseText::tr("A later hit is answered along the line of an earlier one"),
+            ResponseText::tr("Two circles met with their line of centres at %1°, and again, "
+                             "back from a wall, with it at %2°. Both times they were pushed "
+                             "along %3°. Every hit has a normal of its own: work it out anew.")
+                .arg(degrees(one.normal), degrees(two.normal), degrees(n2)),
+            two, Suspect::Kept);
+    }
+    const double e = one.meeting.restitution;
+    const double first = one.rebound();
+    const double second = two.rebound();
+    if (off(n1, one) < 0.1 && off(n2, two) < 0.1 && std::abs(first - e) < 0.01
+        && std::abs(second - e) > 0.03)
+        return responseDeviation(
+            ResponseText::tr("A later hit is answered with another e"),
+            ResponseText::tr("With e = %1 two circles parted with %2 times the speed that they "
+                             "met with; in their second hit, back from a wall, it was %3 "
+                             "times. Look at what your program keeps from one hit to the next.")
+                .arg(brief(e), brief(first), brief(second)),
+            two, Suspect::Kept);
+    return std::nullopt;
+}
+
+LawDeviation lateRestitution(const MeasuredPair &own)
+{
+    const PairHit &one = own.later->first;
+    return responseDeviation(
+        ResponseText::tr("e acts only after the first hit"),
+        ResponseText::tr("With e = %1 two circles parted with %2 times the speed that they met "
+                         "with; in their second hit, back from a wall, it was %3 times. Look "
+                         "at when your answer learns what e is: that comes too late.")
+            .arg(brief(one.meeting.restitution), brief(one.rebound()),
+                 brief(own.later->second.rebound())),
+        one, Suspect::Kept);
+}
+
+namespace {
+
+/// What a hit made, in units of the speed with which they came nearer: how a slow one differs
+/// is small beside 1 m/s.
+PairVelocities inUnits(const PairHit &hit)
+{
+    const PairVelocities left = hit.leftParts();
+    const double unit = 1.0 / hit.meeting.closing();
+    return {unit * left.along1, unit * left.across1, unit * left.along2, unit * left.across2};
+}
+
+} // namespace
+
+std::optional<LawDeviation> slowDeviation(const MeasuredPair &own, const MeasuredPair &right)
+{
+    if (!own.slow || !right.slow || !own.slow->isMet() || !own.slow->isAligned()
+        || !right.slow->isMet() || isSameAnswer(inUnits(*own.slow), inUnits(*right.slow)))
+        return std::nullopt;
+    const PairHit &hit = *own.slow;
+    const double closing = own.equals.front().meeting.closing();
+    return responseDeviation(
+        ResponseText::tr("Circles that meet slowly are answered in another way"),
+        ResponseText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
+            + describeHit(hit, *right.slow) + QLatin1Char(' ')
+            + ResponseText::tr("Where they meet with %1 m/s, it comes out right. The law is "
+                               "the same for every speed.")
+                  .arg(brief(hit.slowness * closing)),
+        hit, Suspect::Formula);
+}
+
+} // namespace cradle

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/contact_comparison.h"
+
+#include <algorithm>
+#include <set>
+
+namespace cradle {
+
+namespace {
+
+/// Judges which meetings are answered.
+class MeetingJudge : ContactComparison
+{
+public:
+    using ContactComparison::ContactComparison;
+
+    [[nodiscard]] std::vector<LawDeviation> judge(Meetings which)
+    {
+        switch (which) {
+        case Meetings::OfEqualCircles:
+            findModes();
+            findPartings();
+            break;
+        case Meetings::Later:
+            findOnce();
+            break;
+        case Meetings::FromAllAround:
+            findUnanswered();
+            break;
+        }
+        return std::move(m_found);
+    }
+
+private:
+    enum class Coming { One, Two, Both };
+
+    static Coming comingOf(const PairHit &hit)
+    {
+        const PairVelocities &v = hit.meeting.velocities;
+        return v.along1 <= 0.0 ? Coming::Two : v.along2 >= 0.0 ? Coming::One : Coming::Both;
+    }
+
+    void findModes()
+    {
+        const PairHit *left = nullptr;
+        std::set<Coming> answered;
+        std::set<Coming> unanswered;
+        for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
+            const PairHit &hit = m_own.equals[i];
+            if (!m_right.equals[i].answered)
+                continue;
+            (hit.isMet() ? answered : unanswered).insert(comingOf(hit));
+            left = hit.isMet() || left ? left : &hit;
+        }
+        if (!left || answered.empty())
+            return;
+        const bool isOne = unanswered == std::set{Coming::One} && !answered.contains(Coming::One);
+        const bool isTwo = unanswered == std::set{Coming::Two} && !answered.contains(Coming::Two);
+        addUnanswered(
+            isTwo   ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
+            : isOne ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
+                    : ContactText::tr("Not every meeting is answered"),
+            left->answered ? *left : whereTheyTouch(*left));
+    }
+
+    void addUnanswered(const QString &headline, const PairHit &hit)
+    {
+        const PairVelocities &v = hit.meeting.velocities;
+        add(headline,
+            ContactText::tr("Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so "
+                            "they came nearer with %3 m/s, and ran into each other; other meetings "
+                            "are answered. What counts is the velocity of one relative to the "
+                            "other.")
+                .arg(brief(hit.slowness * v.along1), brief(hit.slowness * v.along2),
+                     brief(hit.slowness * hit.meeting.closing())),
+            hit);
+    }
+
+    /// Of those that come from all around, and of slow ones.
+    void findUnanswered()
+    {
+        for (std::size_t i = 0; i < m_own.contacts.size(); ++i) {
+            const PairHit &hit = m_own.contacts[i];
+            if (hit.answered || hit.held || !m_right.contacts[i].isMet())
+                continue;
+            add(ContactText::tr("Not every meeting is answered"),
+                ContactText::tr("With their line of centres at %1° they came nearer with %2 m/s "
+                                "along it and ran into each other; other meetings are answered. "
+                                "What counts is whether they overlap, and whether the velocity of "
+                                "one relative to the other has a part along that line.")
+                    .arg(brief(hit.meeting.degrees), brief(hit.slowness * hit.meeting.closing())),
+                withStepOf(hit, m_right.contacts[i]));
+            return;
+        }
+        if (!m_own.slow || !m_right.slow || m_own.slow->answered || m_own.slow->held
+            || !m_right.slow->isMet() || !answersAny(m_own.equals))
+            return;
+        const PairHit &hit = *m_own.slow;
+        add(ContactText::tr("Circles that come nearer slowly are not answered"),
+            ContactText::tr("They came nearer with %1 m/s and ran into each other; with %2 m/s "
+                            "they are answered. How fast they come does not matter: what counts "
+                            "is whether they overlap and come nearer.")
+                .arg(brief(hit.slowness * hit.meeting.closing()),
+                     brief(hit.slowness * m_own.contacts.front().meeting.closing())),
+            hit.held ? hit : whereTheyTouch(hit));
+    }
+
+    void findOnce()
+    {
+        if (!m_own.ranThrough || m_right.ownContacts < 2)
+            return;
+        if (m_own.returning && !m_own.returning->isMet())
+            return addUnanswered(
+                ContactText::tr("Nothing happens when it is circle 2 that comes nearer"),
+                *m_own.returning);
+        if (m_own.ranThroughAtOnce)
+            return add(
+                ContactText::tr("A hit soon after another is not answered"),
+                ContactText::tr(
+                    "Circle 2 was hit, was back from the wall close behind it within a "
+                    "few steps and ran into circle 1 without an answer; from a wall "
+                    "farther off it gets one. How long ago the last hit was does not matter: what "
+                    "counts is whether they overlap and come nearer."),
+                m_own.contacts.front());
+        add(ContactText::tr("A later hit is not answered"),
+            ContactText::tr("Circle 2 was hit, came back from the wall behind it and ran through "
+                            "circle 1. What your program remembers of a hit must be forgotten when "
+                            "they have parted."),
+            m_own.contacts.front());
+    }
+
+    /// Whether this program itself ever leaves two circles overlapping that move apart.
+    [[nodiscard]] bool leavesInside() const
+    {
+        const auto inside = [](const PairHit &hit) { return hit.answered && hit.partsInside; };
+        return std::any_of(m_own.contacts.begin(), m_own.contacts.end(), inside)
+               || std::any_of(m_own.rebounds.begin(), m_own.rebounds.end(), inside);
+    }
+
+    void findPartings()
+    {
+        const auto hit = [](const PairHit &h) { return h.answered && h.step == 1; };
+        const auto at = std::find_if(m_own.partings.begin(), m_own.partings.end(), hit);
+        if (at == m_own.partings.end() || (answersAny(m_own.equals) && !leavesInside())
+            || std::any_of(m_right.partings.begin(), m_right.partings.end(), hit))
+            return;
+        const bool never = !answersAny(m_own.equals);
+        // Who remembers a hit answers the first that it sees, and no other.
+        if (!never && !at->again)
+            return;
+        add(never ? ContactText::tr("The circles answer when they part, not when they meet")
+                  : ContactText::tr("Circles that already part are hit again"),
+            ContactText::tr(
+                "They overlapped and moved apart with %1 m/s; the next step turned them "
+                "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
+                "whether they come nearer.")
+                .arg(brief(-at->slowness * at->meeting.closing()), brief(at->slowness * at->left1),
+                     brief(at->slowness * at->left2)),
+            *at);
+    }
+};
+
+} // namespace
+
+std::vector<LawDeviation> meetingDeviations(Meetings which, const MeasuredPair &own,
+                                            const MeasuredPair &right, const Ground &ground)
+{
+    return MeetingJudge(own, right, ground).judge(which);
+}
+
+} // namespace cradle

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/motion.h"
+#include "tasks/judging/response_law_words.h"
+#include "tasks/judging/response_reading.h"
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+/// That the masses in \p hit are not those that the program has elsewhere.
+std::optional<LawDeviation> ownMasses(const PairHit &hit, const MeasuredPair &own, bool isElseRight)
+{
+    const Meeting &m = hit.meeting;
+    const auto heavy = massRatio(hit);
+    const MassExponents p(own);
+    if (!heavy || (!p.radius && !p.density))
+        return std::nullopt;
+    const double wanted = p.ratioOf(m);
+    if (std::abs(*heavy - wanted) <= (isHeadOn(hit) ? 1e-5 : 0.02) * wanted)
+        return std::nullopt;
+    return responseDeviation(
+        ResponseText::tr("The masses in your own scene are not those of its circles"),
+        isElseRight
+            ? ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
+                               "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
+                               "it is %6 times. Other scenes come out right. A mass that is "
+                               "worked out before radius and density are set keeps the old "
+                               "value: look at the order in `on_load`.")
+                  .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1), brief(m.radius2),
+                       brief(m.density1), brief(m.density2), motion::figureBeside(wanted, *heavy))
+            : ResponseText::tr(
+                  "There circle 2 answers as if it were %1 times as heavy as circle 1; "
+                  "as your program does in other scenes, it would be %2 times. A mass "
+                  "that is worked out before radius and density are set keeps the old "
+                  "value: look at the order in `on_load`.")
+                  .arg(motion::figureBeside(*heavy, wanted), motion::figureBeside(wanted, *heavy)),
+        hit, Suspect::Masses);
+}
+
+} // namespace
+
+std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRight)
+{
+    if (!own.own || !own.own->fits(own.own->meeting.sum()))
+        return std::nullopt;
+    const PairHit &hit = *own.own;
+    const Meeting &m = hit.meeting;
+    if (auto masses = ownMasses(hit, own, isElseRight))
+        return masses;
+    const Vec2 n = normalized(hit.push2());
+    const double closing = dot(hit.came1 - hit.came2, n);
+    const double parting = dot(hit.left2 - hit.left1, n);
+    if (own.rebounds.empty() || closing < 1e-6
+        || std::abs(parting / closing - m.restitution) < 0.01)
+        return std::nullopt;
+    return responseDeviation(
+        ResponseText::tr("In your own scene the hit does not use the e that it has"),
+        (isElseRight
+             ? ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, "
+                                "and `restitution` is %4. Other scenes come out right. A copy "
+                                "of e that is made before e is set keeps the old value.")
+             : ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, "
+                                "and `restitution` is %4. In other scenes they part with e "
+                                "times the speed. A copy of e that is made before e is set "
+                                "keeps the old value."))
+            .arg(brief(closing), brief(parting), brief(parting / closing), brief(m.restitution)),
+        hit, Suspect::Copy);
+}
+
+} // namespace cradle

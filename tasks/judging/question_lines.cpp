@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/question_lines.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace cradle {
+
+int questionOf(Suspect suspect, const std::vector<int> &special, const QStringList &rows,
+               const RanLines &ran, const RowRange &within, const AskedValues &asked)
+{
+    const auto fits = [&](int line) {
+        return suspect == Suspect::Reach ? asked.asksReach(line) || asksForWall(rows[line - 1])
+                                         : !asked.asksReach(line) || asked.isJoined(line);
+    };
+    std::vector<int> questions; // the likeliest first
+    if (suspect == Suspect::Question || ran.before.empty()) {
+        for (const int line : special) {
+            if (compares(rows[line - 1]))
+                questions.push_back(line);
+        }
+    }
+    for (int line = special.front(); line >= within.first && !ran.before.empty(); --line) {
+        if (ran.now.contains(line) && compares(rows[line - 1]))
+            questions.push_back(line);
+    }
+    const auto best = std::find_if(questions.begin(), questions.end(), fits);
+    return best != questions.end() ? *best : questions.empty() ? 0 : questions.front();
+}
+
+int askedIn(int question, Suspect suspect, const AskedValues &asked)
+{
+    // Another part of it may be what is wrong.
+    if (suspect == Suspect::Question && asked.isJoined(question))
+        return question;
+    int found = 0;
+    for (const AskedValue &value : asked.of(question)) {
+        if (value.isReach != (suspect == Suspect::Reach))
+            continue;
+        if (found != 0 && found != value.line)
+            return question;
+        found = value.line;
+    }
+    return found == 0 ? question : found;
+}
+
+int conditionAbove(int line, const QStringList &rows, const RanLines &ran)
+{
+    static const QRegularExpression condition(QStringLiteral("\\bif\\b.*\\bthen\\b"));
+    static const QRegularExpression closes(QStringLiteral("^\\s*end\\b"));
+    int closed = 0;
+    for (int at = line; at >= functionOf(rows, line).first; --at) {
+        closed += at < line && rows[at - 1].contains(closes) ? 1 : 0;
+        if (!rows[at - 1].contains(condition) || !ran.now.contains(at))
+            continue;
+        const bool isOneLine =
+            rows[at - 1].contains(QRegularExpression(QStringLiteral("\\bend\\b")));
+        if (closed == 0 && (at == line || !isOneLine))
+            return at;
+        closed -= isOneLine ? 0 : 1;
+    }
+    return 0;
+}
+
+int unledQuestion(Suspect suspect, const QStringList &rows, const RanLines &ran,
+                  const AskedValues &asked)
+{
+    const auto isOne = [&](int line) {
+        return line >= 1 && line <= rows.size() && compares(rows[line - 1])
+               && !asksForWall(rows[line - 1]);
+    };
+    int found = 0;
+    if (suspect != Suspect::Reach) {
+        for (const int line : ran.special())
+            found = isOne(line) ? line : found;
+        return found;
+    }
+    for (const int line : ran.now) {
+        if (!isOne(line) || !asked.asksReach(line))
+            continue;
+        if (found != 0)
+            return 0;
+        found = line;
+    }
+    return found == 0 ? 0 : askedIn(found, suspect, asked);
+}
+
+} // namespace cradle

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/response_law_words.h"
+
+#include "tasks/judging/likeness.h"
+#include "tasks/judging/response_reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+/// Judges how equal circles answer a hit without losses.
+class EqualJudge
+{
+public:
+    EqualJudge(const MeasuredPair &own, const MeasuredPair &right)
+        : m_own(own)
+        , m_right(right)
+    {
+    }
+
+    [[nodiscard]] EqualReading read(bool isExplained)
+    {
+        findLaw(isExplained);
+        return std::move(m_reading);
+    }
+
+private:
+    void add(const QString &headline, const QString &body, const PairHit &hit)
+    {
+        m_reading.said = responseDeviation(headline, body, hit);
+    }
+
+    /// Whether hits of other masses and with other e follow it, too.
+    [[nodiscard]] bool holdsEverywhere(const ResponseLaw &law) const
+    {
+        const auto holds = [&](const std::vector<PairHit> &own, const std::vector<PairHit> &right) {
+            const std::vector<EqualHit> hits = comparableHits(own, right);
+            return hits.empty() || follows(law, hits);
+        };
+        return holds(m_own.radii, m_right.radii) && holds(m_own.densities, m_right.densities)
+               && holds(m_own.rebounds, m_right.rebounds);
+    }
+
+    void findLaw(bool explained)
+    {
+        const std::vector<EqualHit> hits = comparableHits(m_own.equals, m_right.equals);
+        std::optional<std::size_t> worst;
+        double most = 0.0;
+        for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
+            const PairHit &own = m_own.equals[i];
+            const PairHit &right = m_right.equals[i];
+            if (!own.isMet() || !right.isMet() || !own.isAligned() || !right.isAligned())
+                continue;
+            if (isSameAnswer(own.leftParts(), right.leftParts()))
+                continue;
+            const PairVelocities a = own.leftParts();
+            const PairVelocities b = right.leftParts();
+            const double off = std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2)
+                               + std::abs(a.across1 - b.across1) + std::abs(a.across2 - b.across2);
+            if (off > most) {
+                most = off;
+                worst = i;
+            }
+        }
+        m_reading.isRight = !worst;
+        if (!worst || hits.empty() || explained)
+            return;
+        const PairHit &hit = m_own.equals[*worst];
+        const PairHit &right = m_right.equals[*worst];
+        // Where both should stop, a law of exchange is not what is missed.
+        if (std::all_of(hits.begin(), hits.end(), [](const EqualHit &h) {
+                return isSameAnswer(h.right, PairVelocities{});
+            })) {
+            add(ResponseText::tr("A hit does not stop both circles"), describeHit(hit, right), hit);
+            return;
+        }
+        for (const ResponseLaw &law : knownResponses()) {
+            if (!follows(law, hits) || (law.isForEvery && !holdsEverywhere(law)))
+                continue;
+            add(law.headline, describeHit(hit, right) + QLatin1Char(' ') + law.body, hit);
+            m_reading.law = law;
+            return;
+        }
+        findParts(hits, hit, right);
+    }
+
+    /// No law that is known: which of the things that a hit keeps does it not keep?
+    void findParts(const std::vector<EqualHit> &hits, const PairHit &hit, const PairHit &right)
+    {
+        const auto every = [&](auto &&holds) {
+            return std::all_of(hits.begin(), hits.end(), holds);
+        };
+        const auto near = [](double a, double b) { return isAlike(a, b, 5e-3); };
+        const bool across = every([&](const EqualHit &h) {
+            const PairVelocities out = h.hit.leftParts();
+            return near(out.across1, h.right.across1) && near(out.across2, h.right.across2);
+        });
+        const bool along = every([&](const EqualHit &h) {
+            const PairVelocities out = h.hit.leftParts();
+            return near(out.along1, h.right.along1) && near(out.along2, h.right.along2);
+        });
+        const bool momentum = every([&](const EqualHit &h) {
+            return length(h.hit.push1() + h.hit.push2()) < 5e-3 * (1.0 + length(h.hit.push1()));
+        });
+        const auto ratio = fixedMassRatio(m_own);
+        if (along)
+            add(ResponseText::tr("The parts across the line of centres are changed"),
+                describeHit(hit, right) + QLatin1Char(' ')
+                    + ResponseText::tr("A smooth circle pushes along the line of centres only."),
+                hit);
+        else if (ratio)
+            return; // massDeviations() says so
+        else if (!momentum)
+            add(ResponseText::tr("The pushes on the two circles are not equal and opposite"),
+                describeHit(hit, right) + QLatin1Char(' ')
+                    + ResponseText::tr("What one circle of the same mass gains, the other loses: "
+                                       "else the total momentum changes."),
+                hit);
+        else if (!across)
+            add(ResponseText::tr("The push does not act along the line of centres alone"),
+                describeHit(hit, right) + QLatin1Char(' ')
+                    + ResponseText::tr("The parts across it must stay as they were."),
+                hit);
+        else
+            add(sizeHeadline(hits), describeHit(hit, right), hit);
+        m_reading.said->message += otherLine(hits, hit);
+        m_reading.said->moment.circles = wrongIn(hits);
+        if (!along && momentum && !across)
+            m_reading.said->topic = Topic::Direction;
+    }
+
+    /// The circles that do not leave every hit as they should, from 0.
+    static std::vector<int> wrongIn(const std::vector<EqualHit> &hits)
+    {
+        std::vector<int> wrong;
+        for (const int circle : {0, 1}) {
+            const auto isRight = [&](const EqualHit &h) {
+                PairVelocities out = h.hit.leftParts();
+                (circle == 0 ? out.along2 : out.along1) =
+                    circle == 0 ? h.right.along2 : h.right.along1;
+                (circle == 0 ? out.across2 : out.across1) =
+                    circle == 0 ? h.right.across2 : h.right.across1;
+                return isSameAnswer(out, h.right);
+            };
+            if (!std::all_of(hits.begin(), hits.end(), isRight))
+                wrong.push_back(circle);
+        }
+        return wrong;
+    }
+
+    /// Of a hit that comes out wrong, where along another line of centres all come out right.
+    static QString otherLine(const std::vector<EqualHit> &hits, const PairHit &hit)
+    {
+        const auto isThere = [&](const EqualHit &h) {
+            return h.hit.meeting.degrees == hit.meeting.degrees;
+        };
+        const auto other = std::find_if_not(hits.begin(), hits.end(), isThere);
+        if (other == hits.end() || !std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+                return isThere(h) != isSameAnswer(h.hit.leftParts(), h.right);
+            }))
+            return {};
+        return QLatin1Char(' ')
+               + ResponseText::tr("Here the line of centres was at %1°; with %2° the hits come out "
+                                  "right.")
+                     .arg(brief(hit.meeting.degrees), brief(other->hit.meeting.degrees));
+    }
+
+    static QString sizeHeadline(const std::vector<EqualHit> &hits)
+    {
+        const auto factorOf = [](const EqualHit &h) {
+            return (h.hit.leftParts().along1 - h.in.along1) / (h.right.along1 - h.in.along1);
+        };
+        const double factor = factorOf(hits.front());
+        const bool same = std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+            return isAlike(factorOf(h), factor, 0.01);
+        });
+        return same ? ResponseText::tr("Between equal circles the push is %1 times as large as it "
+                                       "should be")
+                          .arg(brief(factor))
+                    : ResponseText::tr("The push along the line of centres has the wrong size");
+    }
+
+    const MeasuredPair &m_own;
+    const MeasuredPair &m_right;
+    EqualReading m_reading;
+};
+
+} // namespace
+
+EqualReading equalReading(const MeasuredPair &own, const MeasuredPair &right, bool isExplained)
+{
+    return EqualJudge(own, right).read(isExplained);
+}
+
+} // namespace cradle

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/step_deviations.h"
+
+#include "tasks/judging/flight_words.h"
+#include "tasks/judging/pair_words.h"
+#include "tasks/judging/start_words.h"
+#include "tasks/judging/wall_words.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Whether a failure of a check of that kind can come of that aspect.
+bool concerns(const QString &kind, Aspect aspect)
+{
+    const auto is = [&](std::initializer_list<const char *> names) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const char *name) { return kind == QLatin1String(name); });
+    };
+    switch (aspect) {
+    case Aspect::Start:
+        return true;
+    case Aspect::Motion:
+        return kind != QLatin1String("start");
+    case Aspect::Walls:
+    case Aspect::Course:
+        return is({"bounces", "stays_inside", "bounce_heights", "settles", "together", "script",
+                   "ends_at", "integrates"});
+    case Aspect::Contact:
+    case Aspect::Response:
+        break;
+    }
+    return is({"collides", "rebounds", "touches", "conserves", "after_contact", "loses_energy",
+               "passes_through", "script", "ends_at"});
+}
+
+} // namespace
+
+StepDeviations::StepDeviations(const Task &task, const Submission &submission,
+                               const std::vector<CheckOutcome> &checks, const MeasuredLaws &right,
+                               const Ground &ground)
+    : m_task(task)
+    , m_submission(submission)
+    , m_checks(checks)
+    , m_right(right)
+    , m_ground(ground)
+    , m_asked(task.forStudents ? std::optional(askedLaws(task)) : std::nullopt)
+{
+}
+
+const CheckOutcome *StepDeviations::failedOf(Aspect aspect) const
+{
+    for (const CheckOutcome &outcome : m_checks) {
+        const auto spec =
+            std::find_if(m_task.checks.begin(), m_task.checks.end(),
+                         [&](const CheckSpec &check) { return check.id == outcome.id; });
+        if (!outcome.passed && spec != m_task.checks.end() && concerns(spec->kind, aspect))
+            return &outcome;
+    }
+    return nullptr;
+}
+
+bool StepDeviations::isAsked(Aspect aspect) const
+{
+    return failedOf(aspect) && (aspect != Aspect::Walls || !m_ground.walls.circles.empty())
+           && ((aspect != Aspect::Contact && aspect != Aspect::Response) || m_ground.pair.asked)
+           && isKnown(aspect);
+}
+
+/// Without a solution, what is right is what the checks themselves tell.
+bool StepDeviations::isKnown(Aspect aspect) const
+{
+    if (!m_asked)
+        return true;
+    switch (aspect) {
+    case Aspect::Start:
+        return true;
+    case Aspect::Motion:
+        return m_asked->motion;
+    case Aspect::Walls:
+    case Aspect::Course:
+        return m_asked->walls;
+    case Aspect::Contact:
+    case Aspect::Response:
+        break;
+    }
+    return m_asked->pair;
+}
+
+std::vector<LawDeviation> StepDeviations::of(const MeasuredLaws &laws, Aspect aspect) const
+{
+    switch (aspect) {
+    case Aspect::Start:
+        return startDeviations(m_task, m_submission, m_checks);
+    case Aspect::Motion:
+        return flightDeviations(laws.flight(), m_right.flight(), m_ground);
+    case Aspect::Walls:
+    case Aspect::Course:
+        return wallDeviations(laws.walls(), m_right.walls(), m_ground);
+    case Aspect::Contact:
+        return contactDeviations(laws.pair(), m_right.pair(), m_ground);
+    case Aspect::Response:
+        break;
+    }
+    return responseDeviations(laws.pair(), m_right.pair(), m_ground);
+}
+
+std::vector<LawDeviation> StepDeviations::besides(const MeasuredLaws &laws, Aspect aspect) const
+{
+    std::vector<LawDeviation> found = of(laws, aspect);
+    if (aspect == Aspect::Response || aspect == Aspect::Contact) {
+        const Aspect other = aspect == Aspect::Contact ? Aspect::Response : Aspect::Contact;
+        for (LawDeviation &deviation : of(laws, other))
+            found.push_back(std::move(deviation));
+    }
+    return found;
+}
+
+} // namespace cradle

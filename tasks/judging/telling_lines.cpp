@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/telling_lines.h"
+
+#include "tasks/judging/program_rows.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <iterator>
+
+namespace cradle {
+
+namespace {
+
+/// The line that works out a mass; 0 if none is found.
+int massLine(const ProgramLines &program, const QStringList &rows)
+{
+    const QStringList copies =
+        copiesOf(program, {QStringLiteral("radius"), QStringLiteral("density")});
+    const QString quantities =
+        (QStringList{QStringLiteral("radius|density|volume|masse?")} + copies)
+            .join(QLatin1Char('|'));
+    const QString densities =
+        (QStringList{QStringLiteral("density")} + copiesOf(program, {QStringLiteral("density")}))
+            .join(QLatin1Char('|'));
+    const QRegularExpression quantity(QStringLiteral("\\b(%1)\\b").arg(quantities));
+    const QRegularExpression power(QStringLiteral("\\bpi\\b|\\^|\\b(%1)\\b").arg(densities));
+    const std::set<int> dead = deadLines(program);
+    int best = 0;
+    int most = 0;
+    for (int i = 0; i < rows.size(); ++i) {
+        const QString &row = rows[i];
+        if (!row.contains(quantity) || !row.contains(power) || compares(row)
+            || row.contains(QLatin1String("velocity")) || dead.contains(i + 1))
+            continue;
+        const int work = worksOut(row);
+        if (work > most) {
+            most = work;
+            best = i + 1;
+        }
+    }
+    return best;
+}
+
+/// The line in which what is called a mass is given a value; 0 if there are several.
+int namedMassLine(const ProgramLines &program)
+{
+    static const QRegularExpression mass(QStringLiteral("^m(ass(es)?)?_?(\\d|[abij]|one|two)?$"),
+                                         QRegularExpression::CaseInsensitiveOption);
+    const std::set<int> dead = deadLines(program);
+    int found = 0;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        const QStringList values = valuesIn(program, each.from, each.to);
+        // What is worked out of masses is no circle's.
+        if (!each.name.contains(mass) || each.line == found || dead.contains(each.line)
+            || std::any_of(values.begin(), values.end(),
+                           [](const QString &value) { return value.contains(mass); }))
+            continue;
+        const std::vector<int> twins = program.twinsOf(each.line);
+        if (found != 0 && std::find(twins.begin(), twins.end(), found) == twins.end())
+            return 0;
+        found = found == 0 ? each.line : found;
+    }
+    return found;
+}
+
+/// The line that copies a value of the scene; 0 if there is none.
+int copyLine(const QStringList &rows)
+{
+    static const QRegularExpression copy(
+        QStringLiteral("^\\s*(local\\s+)?\\w+\\s*=\\s*(restitution|gravity(\\.[xy])?)\\s*$"));
+    for (int line = 1; line <= rows.size(); ++line) {
+        if (rows[line - 1].contains(copy))
+            return line;
+    }
+    return 0;
+}
+
+/// The line that runs at the moment and works a value out only where there is none yet; 0 if there
+/// is none.
+int keepingLine(const QStringList &rows, const RanLines &ran)
+{
+    static const QRegularExpression keeps(QStringLiteral(
+        "(\\b[\\w.]+)\\s*=\\s*\\(?\\s*\\1\\s+or\\b|\\bif\\s+not\\s+[\\w.]+\\s+then"));
+    for (const int line : ran.now) {
+        if (line >= 1 && line <= rows.size() && rows[line - 1].contains(keeps))
+            return line;
+    }
+    return 0;
+}
+
+/// The only line of those that run at the moment that works an angle out of a
+/// direction; 0 if there is none, or several.
+int angleLine(const QStringList &rows, const RanLines &ran)
+{
+    static const QRegularExpression angle(QStringLiteral("\\bmath\\.(atan|asin|acos)\\b"));
+    int found = 0;
+    for (const int line : ran.now) {
+        if (line < 1 || line > rows.size() || !rows[line - 1].contains(angle))
+            continue;
+        if (found != 0)
+            return 0;
+        found = line;
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<int> withRestitution(const std::vector<int> &lines, const QStringList &rows,
+                                 const ProgramLines &program)
+{
+    const QStringList names = QStringList{QStringLiteral("restitution")}
+                              + copiesOf(program, {QStringLiteral("restitution")});
+    const QRegularExpression e(QStringLiteral("\\b(%1)\\b").arg(names.join(QLatin1Char('|'))));
+    std::vector<int> found;
+    std::copy_if(lines.begin(), lines.end(), std::back_inserter(found),
+                 [&](int line) { return rows[line - 1].contains(e); });
+    return found.empty() ? lines : found;
+}
+
+int tellingLine(const LawDeviation &deviation, const ProgramLines &program, const QStringList &rows,
+                const RanLines &ran)
+{
+    if (const int line = deviation.topic == Topic::Direction ? angleLine(rows, ran) : 0)
+        return line;
+    switch (deviation.suspect) {
+    case Suspect::Masses:
+        if (const int line = massLine(program, rows))
+            return line;
+        return namedMassLine(program);
+    case Suspect::Copy:
+        return copyLine(rows);
+    case Suspect::Kept:
+        return keepingLine(rows, ran);
+    case Suspect::Omission:
+    case Suspect::Answer:
+    case Suspect::Question:
+    case Suspect::Reach:
+    case Suspect::Formula:
+        break;
+    }
+    return 0;
+}
+
+} // namespace cradle

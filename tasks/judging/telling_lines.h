@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/judging/program_statements.h"
+#include "tasks/judging/ran_lines.h"
+
+namespace cradle {
+
+/// The line whose text tells that it is to blame: that of a mass, of a copied or kept value, of an
+/// angle; 0 if there is none.
+[[nodiscard]] int tellingLine(const LawDeviation &deviation, const ProgramLines &program,
+                              const QStringList &rows, const RanLines &ran);
+
+/// Those of \p lines that take e, or a copy of it; all, if none does.
+[[nodiscard]] std::vector<int> withRestitution(const std::vector<int> &lines,
+                                               const QStringList &rows,
+                                               const ProgramLines &program);
+
+} // namespace cradle

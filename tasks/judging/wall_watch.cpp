@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_range.h"
+
+namespace cradle {
+
+namespace {
+
+constexpr int stepsAfterwards = 6;
+
+double distanceFrom(Wall wall, double halfWidth, Vec2 place)
+{
+    return halfWidth - dot(outwardNormal(wall), place);
+}
+
+} // namespace
+
+bool WallRange::isNearWall(const Circle &c, Vec2 direction, double halfWidth)
+{
+    return std::abs(dot(c.position, direction)) > halfWidth - 2.5 * c.radius;
+}
+
+void WallRange::watch(WallHit &hit, bool corner) const
+{
+    Probe probe(m_program, hit.stage);
+    const Preset &preset = hit.stage.preset;
+    const Vec2 n = outwardNormal(hit.wall);
+    const Flight &flight = flightOf(hit.circle);
+    const double step = dot(n, probe.circle(hit.circle).velocity) * flight.way.x * m_h;
+    for (int k = 1; k < 400 && probe.runs(); ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        const Circle &c = before[static_cast<std::size_t>(hit.circle)];
+        const double distance = distanceFrom(hit.wall, preset.halfWidth, c.position);
+        if (distance < -1.3 * hit.radius - 2.0 * step)
+            return; // all of it is outside
+        if (dot(n, c.velocity) < 0.0
+            || (!corner && isNearWall(c, perpendicular(n), preset.halfWidth))) {
+            hit.missed = true; // something else turns it, or may, before it is there
+            return;
+        }
+        if (!probe.step()) {
+            hit.missed = true; // the program stopped: what is said of that is its error
+            return;
+        }
+        const Motion free = flight.after(c, m_h);
+        const Circle &now = probe.circle(hit.circle);
+        const bool turned =
+            length(now.velocity - free.velocity) > wallKick * (1.0 + length(free.velocity));
+        const bool moved = length(now.position - free.position) > 1e-7;
+        if (!turned && !moved)
+            continue;
+        note(hit, before, now, free, k);
+        // A wall turns it round, or its rim is there; else something on the way changes it.
+        if (hit.back < 0.0 && (!moved || (turned && k == 1))
+            && hit.reached > hit.radius + std::abs(hit.travel)) {
+            hit.missed = true;
+            return;
+        }
+        hit.turned = turned;
+        hit.held = !turned;
+        lookAtOthers(hit, before, probe);
+        follow(hit, probe);
+        return;
+    }
+    // It never came there, or so slowly that all of this time has not brought it through.
+    const Vec2 place = probe.circle(hit.circle).position;
+    hit.missed = distanceFrom(hit.wall, preset.halfWidth, place) > hit.radius - 0.02;
+}
+
+void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,
+                     const Motion &free, int k) const
+{
+    const Preset &preset = hit.stage.preset;
+    const Vec2 n = outwardNormal(hit.wall);
+    const Vec2 t = perpendicular(n);
+    const Circle &c = before[static_cast<std::size_t>(hit.circle)];
+    hit.step = k;
+    hit.before = distanceFrom(hit.wall, preset.halfWidth, c.position);
+    hit.reached = distanceFrom(hit.wall, preset.halfWidth, free.position);
+    hit.travel = hit.before - hit.reached;
+    hit.came = free.velocity;
+    hit.left = now.velocity;
+    hit.back = -dot(n, now.velocity) / dot(n, free.velocity);
+    hit.along = dot(t, now.velocity) / dot(t, free.velocity);
+    hit.after = distanceFrom(hit.wall, preset.halfWidth, now.position);
+    hit.leap = std::min(length(now.position - c.position), length(now.position - free.position));
+    hit.landed = now.position;
+}
+
+void WallRange::follow(WallHit &hit, Probe &probe) const
+{
+    const Vec2 n = outwardNormal(hit.wall);
+    Circle c = probe.circle(hit.circle);
+    for (int k = 0; k < stepsAfterwards; ++k) {
+        if (!probe.step())
+            return;
+        const Circle &now = probe.circle(hit.circle);
+        const Motion free = flightOf(hit.circle).after(c, m_h);
+        const bool leaves = dot(n, c.velocity) < 0.0 && dot(n, free.velocity) < 0.0;
+        const double away = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
+        if (leaves && dot(n, now.velocity) > 0.0 && away < hit.radius + hit.travel)
+            ++hit.again;
+        c = now;
+    }
+    hit.turnsBoth = dot(n, c.velocity) < 0.0
+                    && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
+    const double distance = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
+    hit.stays = distance < hit.after + 0.5 * hit.travel;
+}
+
+void WallRange::lookAtOthers(WallHit &hit, const std::vector<Circle> &before,
+                             const Probe &probe) const
+{
+    const double halfWidth = hit.stage.preset.halfWidth;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const int other = static_cast<int>(i);
+        const Flight &flight = flightOf(other);
+        const Circle &was = before[i];
+        if (other == hit.circle || !flight.isKnown || isNearWall(was, {1.0, 0.0}, halfWidth)
+            || isNearWall(was, {0.0, 1.0}, halfWidth))
+            continue;
+        const Motion free = flight.after(was, m_h);
+        const Circle &now = probe.circle(other);
+        hit.kicks |= length(now.velocity - free.velocity) > 1e-6;
+        hit.disturbs |= hit.kicks || length(now.position - free.position) > 1e-6;
+    }
+}
+
+} // namespace cradle
