@@ -68,6 +68,7 @@ private slots:
     void restartBeginsTheProgramAnew();
     void notesBelongToTheirSteps();
     void notesAreBounded();
+    void drawingsOfTheLatestStepStay();
 };
 
 void TestProgramRun::programMovesTheCircles()
@@ -175,6 +176,24 @@ void TestProgramRun::notesBelongToTheirSteps()
     QCOMPARE(notes.curves()[0].values, (std::vector<double>{1.0, 2.0, 3.0}));
     QCOMPARE(notes.drawings(2)[0].from.x, 2.0);
     QVERIFY(notes.drawings(9).empty());
+}
+
+/// Though they alone are as many as may be kept; of those before none stay.
+void TestProgramRun::drawingsOfTheLatestStepStay()
+{
+    ProgramNotes notes;
+    ProgramOutput output;
+    output.drawings.resize(ProgramNotes::mostDrawings);
+    notes.add(1, 0.1, output);
+    QCOMPARE(notes.drawings(1).size(), ProgramNotes::mostDrawings);
+    output.drawings.resize(1);
+    notes.add(2, 0.2, output);
+    QVERIFY(notes.drawings(1).empty());
+    QCOMPARE(notes.drawings(2).size(), 1u);
+    output.drawings.resize(ProgramNotes::mostDrawings + 1);
+    notes.add(3, 0.3, output);
+    QVERIFY(notes.drawings(2).empty());
+    QCOMPARE(notes.drawings(3).size(), ProgramNotes::mostDrawings + 1);
 }
 
 void TestProgramRun::notesAreBounded()

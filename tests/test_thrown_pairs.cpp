@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/judging/measured_pair.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// Whatever distance a program asks about, it is seen along the line that is meant, and exactly.
+class TestThrownPairs : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void hitsAreSeenAlongTheLineThatIsMeant_data();
+    void hitsAreSeenAlongTheLineThatIsMeant();
+    void halfTheDistanceIsMissedByNone_data();
+    void halfTheDistanceIsMissedByNone();
+    void meetingThatTakesStepsIsOne();
+    void laterHitIsAnother();
+};
+
+namespace {
+
+/// A program for one of the steps 12 (masses alike) to 16 (with e).
+QString hitting(const QString &step, HitLaw law, int way = 1)
+{
+    const int number = step.mid(4).toInt();
+    if (number < 14)
+        law.mass = QStringLiteral("1");
+    if (number == 16)
+        law.e = QStringLiteral("restitution");
+    return written(
+        {.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hitOf(hitWays[way], law)},
+        structures[1]);
+}
+
+std::vector<PairHit> exactHits(const MeasuredPair &pair)
+{
+    std::vector<PairHit> all = pair.equals;
+    for (const auto *more : {&pair.radii, &pair.densities, &pair.rebounds})
+        all.insert(all.end(), more->begin(), more->end());
+    return all;
+}
+
+} // namespace
+
+void TestThrownPairs::hitsAreSeenAlongTheLineThatIsMeant_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("reach");
+    for (const char *step : {"L42T12", "L42T14", "L42T16"}) {
+        for (const char *reach : {"p.radius + q.radius", "p.radius + q.radius + 0.037",
+                                  "0.83 * (p.radius + q.radius)", "0.6 * (p.radius + q.radius)"})
+            QTest::addRow("%s, %s", step, reach)
+                << QString::fromLatin1(step) << QString::fromLatin1(reach);
+    }
+}
+
+/// In steps of a ten thousandth of a second, so between two places 0.3 mm apart.
+void TestThrownPairs::hitsAreSeenAlongTheLineThatIsMeant()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, reach);
+    const LawBench bench(task(step));
+    const QString program = hitting(step, {.reach = reach});
+    const MeasuredLaws own(&program, bench.ground);
+    QVERIFY(own.pair().isJudged);
+    const std::vector<PairHit> hits = exactHits(own.pair());
+    QVERIFY(hits.size() >= 4);
+    for (const PairHit &hit : hits) {
+        QVERIFY(hit.isMet());
+        QVERIFY2(hit.isAligned(), QByteArray::number(hit.meeting.degrees).constData());
+        QVERIFY(0.0 < hit.before - hit.reached && hit.before - hit.reached < 3e-4);
+    }
+}
+
+void TestThrownPairs::halfTheDistanceIsMissedByNone_data()
+{
+    QTest::addColumn<QString>("step");
+    for (const Task &each : m_lab.tasks) {
+        if (Ground(each, each.preset).pair.asked)
+            QTest::newRow(qPrintable(each.id)) << each.id;
+    }
+}
+
+/// Circles that meet obliquely come as near as half the sum of their radii, or they would be told
+/// to miss each other.
+void TestThrownPairs::halfTheDistanceIsMissedByNone()
+{
+    QFETCH(QString, step);
+    const LawBench bench(task(step));
+    const QString program = hitting(step, {.reach = QStringLiteral("0.5 * (p.radius + q.radius)")});
+    const MeasuredLaws own(&program, bench.ground);
+    for (const PairHit &hit : exactHits(own.pair()))
+        QVERIFY(hit.isMet());
+    for (const PairHit &hit : own.pair().contacts)
+        QVERIFY(hit.isMet());
+}
+
+/// Of the closing speed three tenths are answered in every step that they are in touch: one
+/// meeting, and another one when the wall sends circle 2 back.
+void TestThrownPairs::meetingThatTakesStepsIsOne()
+{
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    HitLaw law;
+    law.answer = QStringLiteral("local j = 0.3 * closing p.velocity = p.velocity - j * n "
+                                "q.velocity = q.velocity + j * n");
+    const QString program = hitting(QStringLiteral("L42T12"), law);
+    const MeasuredLaws own(&program, bench.ground);
+    QVERIFY(own.pair().isJudged);
+    QCOMPARE(own.pair().ownContacts, 2);
+    QVERIFY(!own.pair().ranThrough);
+}
+
+/// Two hits of the same circles with lines of centres that differ by more than a quarter of a turn,
+/// the second one as fast as the first within a half.
+void TestThrownPairs::laterHitIsAnother()
+{
+    const LawBench bench(task(QStringLiteral("L42T16")));
+    for (const int way : {0, 1, 2, 3}) {
+        const QString program = hitting(QStringLiteral("L42T16"), {}, way);
+        const MeasuredLaws own(&program, bench.ground);
+        QVERIFY(own.pair().later);
+        const LaterHit &later = *own.pair().later;
+        QVERIFY(!later.isFirstOdd());
+        QVERIFY(later.first.step < later.second.step);
+        QVERIFY(std::abs(later.first.rebound() - later.first.meeting.restitution) < 0.01);
+        QVERIFY(std::abs(later.second.rebound() - later.second.meeting.restitution) < 0.01);
+        QVERIFY(std::abs(later.first.normal.x) > 0.9);
+        QVERIFY(dot(later.first.normal, later.second.normal) < 0.95);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestThrownPairs)
+#include "test_thrown_pairs.moc"
