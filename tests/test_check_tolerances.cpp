@@ -38,6 +38,23 @@ Observation misplacedOnParabola(double error)
     return flight(0.5, [error](Circle &c) { c.position.x += error; });
 }
 
+/// By two steps of Euler in one, through the middle of the square as the tenth step begins.
+Observation misplacedInHalves(double error)
+{
+    constexpr double t = 9.0 * h;
+    const Vec2 speed{1.5, 2.0};
+    const Vec2 fallen = 0.5 * t * (t - 0.5 * h) * down;
+    const Circle circle{.position = -t * speed - fallen, .velocity = speed};
+    return observed(scene({circle}, down), 0.8, [error, step = 0](Circles &c, double dt) mutable {
+        for (int half = 0; half < 2; ++half) {
+            c[0].position += 0.5 * dt * c[0].velocity;
+            c[0].velocity += 0.5 * dt * down;
+        }
+        if (++step == 10)
+            c[0].position.x += error;
+    });
+}
+
 Observation hastened(double error)
 {
     return flight(0.0, [error](Circle &c) { c.velocity.x += error; });
@@ -139,6 +156,7 @@ void TestCheckTolerances::toleranceHasTwoSides_data()
         1e-9 * (1.0 + std::hypot(place.x, place.y)));
     row("integrates, velocity", check("integrates", {0}, euler), hastened,
         1e-9 * (1.0 + std::hypot(speed.x, speed.y)));
+    row("integrates, any method in parts of a step", check("integrates"), misplacedInHalves, 1e-9);
     row("closed form", check("closed_form", {0}), misplacedOnParabola, 1e-9);
     row("together, place", check("together", {0, 1}), misplaced, 1e-9);
     row("collides", check("collides", {0, 1}), staysTooFast, 1e-9);

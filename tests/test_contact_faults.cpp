@@ -72,6 +72,14 @@ void addCollisions()
            "At step 2 the circles were already moving apart with 2 m/s and were hit again; "
            "circles that move apart should be left alone",
            2);
+    // Who neither comes nearer nor parts is not hit, but nor was he moving apart.
+    addRow("pushed apart side by side", pair("collides"),
+           drift({{.position = {0, -0.19}, .velocity = {2, 0}},
+                  {.position = {0, 0.19}, .velocity = {2, 0}}},
+                 leave({2, -1}, {2, 1})),
+           "At step 2 circle 1 left the hit with (2, -1) m/s and circle 2 with (2, 1) m/s; along "
+           "the line of centres (0, 1) it should be (2, 0) and (2, 0) m/s",
+           2, 0.0, -1.0, "m/s");
     addRow("both go on with half", pair("collides"), drift(headOn(), leave({0.5, 0}, {0.5, 0})),
            "At step 2 circle 1 left the hit with (0.5, 0) m/s and circle 2 with (0.5, 0) m/s; "
            "along the line of centres (1, 0) it should be (0, 0) and (1, 0) m/s",

@@ -19,6 +19,7 @@ private slots:
     void smallHopsAreRest();
     void onlyTheLastFiveSecondsAreRest();
     void aBallThatLosesNothingNeedNotRest();
+    void whoHardlyFallsHasNotFallen();
 };
 
 namespace {
@@ -272,6 +273,22 @@ void TestMotionFaults::aBallThatLosesNothingNeedNotRest()
         walls::goBack(c[0], walls::down, 1.0, dt);
     });
     VERIFY_ACCEPTED(judge(check("settles"), o));
+}
+
+/// Under 10 m/s², 1 m/s: what falls for a tenth of a second.
+void TestMotionFaults::whoHardlyFallsHasNotFallen()
+{
+    const auto falling = [](double speed) {
+        std::vector<Change> changes;
+        for (int step = 1; step <= 10; ++step)
+            changes.push_back({step, [speed](Circles &c) {
+                                   c[1].position = {0, -3.79};
+                                   c[1].velocity = {0, -speed};
+                               }});
+        return drift(beside({.position = {0, -3.79}}), changes, 1.0, {0, -10}, 0.5);
+    };
+    VERIFY_ACCEPTED(judge(check("settles", {1}), falling(1.05)));
+    VERIFY_REFUSED(judge(check("settles", {1}), falling(0.95)), QStringLiteral("never fell"));
 }
 
 QTEST_APPLESS_MAIN(TestMotionFaults)
