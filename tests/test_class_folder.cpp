@@ -31,6 +31,7 @@ private slots:
     void idsAreUnlikeEachOther();
     void everyStudentIsInOneShard();
     void seedFollowsFromSecretAndId();
+    void secretIsReadFromItsFile();
 };
 
 void TestClassFolder::platformNamesAreRead_data()
@@ -279,6 +280,24 @@ void TestClassFolder::seedFollowsFromSecretAndId()
     QCOMPARE(studentSeed(secret, text("ada")), (expected >> 4) + 1);
     QVERIFY(studentSeed(secret, text("ada")) != studentSeed(secret, text("bob")));
     QVERIFY(studentSeed(newSecret(), text("ada")) != studentSeed(newSecret(), text("ada")));
+}
+
+void TestClassFolder::secretIsReadFromItsFile()
+{
+    const Made made;
+    made.file("secret", " \n0123456789abcdef\n");
+    made.file("short", "0123456789abcde\n");
+    made.file("long", QByteArray(4097, 'x'));
+    const auto read = [&](const char *name) {
+        return readSecret(QFile::decodeName(made.root() + '/' + name));
+    };
+    QVERIFY(read("secret").ok());
+    QCOMPARE(*read("secret"), QByteArray("0123456789abcdef"));
+    QVERIFY(read("short").error().message.contains(text("at least 16")));
+    QVERIFY(!read("long").ok());
+    QVERIFY(!read("nobody").ok());
+    QVERIFY(!read("nobody").error().message.contains(text("at least 16")));
+    QCOMPARE(newSecret().size(), 64);
 }
 
 QTEST_GUILESS_MAIN(TestClassFolder)

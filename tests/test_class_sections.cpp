@@ -17,6 +17,7 @@ private slots:
     void headsAreWithoutWhatAllHave_data();
     void headsAreWithoutWhatAllHave();
     void barsAreAsLongAsManyPass();
+    void misunderstandingsAreListedUpToTwelve();
     void medianIsThatOfTheMiddle_data();
     void medianIsThatOfTheMiddle();
     void sharedLinesAreShownFromTheFirst();
@@ -101,8 +102,37 @@ void TestClassSections::barsAreAsLongAsManyPass()
     QCOMPARE(bars.join(QStringLiteral(", ")),
              QStringLiteral("p 300.0 2 426.7, f 726.7 2 213.3, p 300.0 28 213.3, "
                             "n 513.3 28 213.3, m 726.7 28 213.3"));
+    QVERIFY(html.contains(QStringLiteral("<text x=\"0\" y=\"17\">S1 · Step S1</text>")));
+    QVERIFY(html.contains(QStringLiteral("<text x=\"0\" y=\"43\">S2 · Step S2</text>")));
     QVERIFY(html.contains(QStringLiteral("viewBox=\"0 0 940 52\"")));
     QVERIFY(html.contains(QStringLiteral("<text class=\"in\" x=\"513.3\" y=\"16.5\">2</text>")));
+}
+
+/// What most met comes first, and how many sorts are not listed is said.
+void TestClassSections::misunderstandingsAreListedUpToTwelve()
+{
+    for (const int sorts : {1, 12, 13, 15}) {
+        ClassSummary summary(m_lab, m_facts);
+        StudentResult student = mallory(m_lab);
+        Finding finding = student.steps[0].report->findings[0];
+        student.steps[0].report->findings.clear();
+        for (int i = 0; i < sorts; ++i) {
+            finding.mistake = QStringLiteral("sort %1").arg(i);
+            finding.message = QStringLiteral("It is of sort %1").arg(i);
+            student.steps[0].report->findings.push_back(finding);
+        }
+        summary.add(student);
+        student.steps[0].report->findings = {finding}; // the last sort is met twice
+        summary.add(student);
+        QString html;
+        writeMisunderstandings(html, summary);
+        const QString last = QStringLiteral("It is of sort %1").arg(sorts - 1);
+        QVERIFY(html.contains(QStringLiteral("<li><span class=\"count\">2 ×</span>") + last));
+        QCOMPARE(html.count(QStringLiteral("<li><span class=\"count\">1 ×</span>")),
+                 std::min(sorts, 12) - 1);
+        QCOMPARE(html.contains(QStringLiteral("more.")), sorts > 12);
+        QCOMPARE(html.contains(QStringLiteral("And %1 more.").arg(sorts - 12)), sorts > 12);
+    }
 }
 
 void TestClassSections::medianIsThatOfTheMiddle_data()

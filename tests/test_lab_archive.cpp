@@ -24,6 +24,7 @@ private slots:
     void otherProgramsCanReadIt();
     void folderAroundTheLabIsTakenOff_data();
     void folderAroundTheLabIsTakenOff();
+    void attributesOfOtherSystemsAreNoModes();
     void hostileArchivesAreRefused_data();
     void hostileArchivesAreRefused();
     void everyCutIsRefusedOrRight();
@@ -93,6 +94,21 @@ void TestLabArchive::folderAroundTheLabIsTakenOff()
     LabFiles lab;
     TAKE(lab, unpackLab(zip.toBytes(), text("x.cradle")));
     QCOMPARE(differences(lab, small()), QStringList());
+}
+
+/// What Unix calls a link means nothing where MS-DOS wrote it.
+void TestLabArchive::attributesOfOtherSystemsAreNoModes()
+{
+    for (const quint8 system : {quint8{0}, quint8{3}}) {
+        ZipMaker zip;
+        const LabFiles files = small();
+        for (auto it = files.contents.begin(); it != files.contents.end(); ++it)
+            zip.add({.name = it.key().toUtf8(), .content = *it, .mode = 0120777, .system = system});
+        const Result<LabFiles> lab = unpackLab(zip.toBytes(), text("x.cradle"));
+        QCOMPARE(lab.ok(), system == 0);
+        if (system == 0)
+            QCOMPARE(differences(*lab, files), QStringList());
+    }
 }
 
 void TestLabArchive::hostileArchivesAreRefused_data()

@@ -15,6 +15,7 @@ class TestLabReader : public QObject
     Q_OBJECT
 private slots:
     void readsALab();
+    void remarksSayWhatIsCompared();
     void readsTheStudentsLanguage();
     void takesItsOwnLanguageWhereThereIsNoOther();
     void lawsAreThoseOfTheSceneThatPasses();
@@ -50,6 +51,24 @@ void TestLabReader::readsALab()
     QCOMPARE(task.checks[0].circles, std::vector<int>{0});
     QCOMPARE(task.checks[1].circles, (std::vector<int>{0, 1}));
     QVERIFY(task.checks[0].parameters.contains(QStringLiteral("velocity")));
+}
+
+void TestLabReader::remarksSayWhatIsCompared()
+{
+    const Lab lab = *readLab(QStringLiteral(":/labs/lab-4.2"));
+    QStringList read;
+    for (const Task &task : lab.tasks) {
+        for (const RemarkSpec &remark : task.remarks) {
+            using Compare = RemarkSpec::Compare;
+            read.append(remark.script.name + QLatin1Char(' ')
+                        + (remark.compare == Compare::Fields      ? QStringLiteral("fields")
+                           : remark.compare == Compare::Positions ? QStringLiteral("positions")
+                                                                  : QStringLiteral("velocities")));
+        }
+    }
+    for (const char *remark :
+         {"integer-four-thirds fields", "frozen-on-floor positions", "small-margin velocities"})
+        QVERIFY2(read.contains(QLatin1String(remark)), remark);
 }
 
 void TestLabReader::readsTheStudentsLanguage()

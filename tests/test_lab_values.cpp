@@ -184,6 +184,10 @@ void TestLabValues::filesOfALabHaveItsValues()
     const QTemporaryDir elsewhere;
     QCOMPARE(*withValuesOfItsStep(elsewhere.filePath(QStringLiteral("a.lua")), "{{k}}", {}),
              QByteArray("{{k}}"));
+    // Nor is a drawing a text of the lab.
+    QCOMPARE(*withValuesOfItsStep(folder.filePath(QStringLiteral("S1/spring.svg")),
+                                  "<text>{{k}}</text>", {}),
+             QByteArray("<text>{{k}}</text>"));
     // Other JSON in the folder is no scene.
     const auto lab = readLab(folder.path());
     for (const Error &finding : lab->findings)

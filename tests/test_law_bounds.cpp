@@ -20,6 +20,8 @@ private slots:
     void hitsBearADriftOfATenth();
     void roundingIsNoPull_data();
     void roundingIsNoPull();
+    void smallestDifferenceOfALawIsSeen_data();
+    void smallestDifferenceOfALawIsSeen();
     void leaderIsFollowedExactly_data();
     void leaderIsFollowedExactly();
 
@@ -131,6 +133,40 @@ void TestLawBounds::roundingIsNoPull()
         if (pulls)
             QVERIFY(length(flight.pull + 0.5 * pull * Vec2{1.0, 1.0}) < 1e-10);
     }
+}
+
+void TestLawBounds::smallestDifferenceOfALawIsSeen_data()
+{
+    QTest::addColumn<QString>("more"); // besides Euler
+    QTest::addColumn<bool>("alike");
+    QTest::newRow("nothing") << "" << true;
+    // In two steps none of them brings a circle or its velocity a hundred thousandth away.
+    QTest::newRow("air") << "c.velocity = c.velocity - 5e-5 * c.velocity * h" << false;
+    QTest::newRow("air, hardly any") << "c.velocity = c.velocity - 5e-6 * c.velocity * h" << true;
+    QTest::newRow("spring") << "c.velocity = c.velocity - 5e-5 * c.position * h" << false;
+    QTest::newRow("spring, hardly any")
+        << "c.velocity = c.velocity - 5e-6 * c.position * h" << true;
+    QTest::newRow("drift") << "c.position = c.position + vec(5e-5, 0) * h * h" << false;
+    QTest::newRow("drift, hardly any") << "c.position = c.position + vec(5e-6, 0) * h * h" << true;
+}
+
+void TestLawBounds::smallestDifferenceOfALawIsSeen()
+{
+    QFETCH(QString, more);
+    QFETCH(bool, alike);
+    const LawBench on = bench("L42T7");
+    const auto moving = [](const QString &text) {
+        return written({.move = QStringLiteral("c.position = c.position + c.velocity * h "
+                                               "c.velocity = c.velocity + gravity * h ")
+                                + text},
+                       structures[1]);
+    };
+    const QString plain = moving({});
+    const QString other = moving(more);
+    const MeasuredFlight a(&plain, on.ground);
+    const MeasuredFlight b(&other, on.ground);
+    QCOMPARE(a.isLike(b), alike);
+    QCOMPARE(b.isLike(a), alike);
 }
 
 void TestLawBounds::leaderIsFollowedExactly_data()

@@ -21,6 +21,7 @@ private slots:
     void unitsAreWhatTheyAreMadeOf();
     void numberIsJudgedWithItsUnit_data();
     void numberIsJudgedWithItsUnit();
+    void answerIsToldInTheUnitThatIsAskedFor();
     void choicesAndOrdersAreJudged_data();
     void choicesAndOrdersAreJudged();
     void orderIsNeverShownRight();
@@ -100,6 +101,18 @@ void TestQuestions::numberIsJudgedWithItsUnit()
     QCOMPARE(outcome.passed, said.isEmpty());
     QVERIFY2(outcome.message.contains(said), qPrintable(outcome.message));
     QVERIFY(!outcome.expected); // what is right is not told
+}
+
+void TestQuestions::answerIsToldInTheUnitThatIsAskedFor()
+{
+    Question question = speed();
+    question.unit = QStringLiteral("km/h");
+    question.number = 72.0;
+    const auto outcome =
+        judgeAnswers({question}, {{QStringLiteral("speed"), QStringLiteral("20 m/s")}}).front();
+    QVERIFY2(outcome.passed, qPrintable(outcome.message));
+    QVERIFY(outcome.observed && std::abs(*outcome.observed - 72.0) < 1e-9);
+    QCOMPARE(outcome.unit, QStringLiteral("km/h"));
 }
 
 void TestQuestions::choicesAndOrdersAreJudged_data()

@@ -57,7 +57,7 @@ double directionOf(Vec2 v)
 /// The circle that is shot, by the scene's name: the other drifts.
 std::size_t shotOf(const Variant &variant)
 {
-    return variant.name.startsWith(QLatin1String("circle 1")) ? 0 : 1;
+    return variant.name.startsWith(QLatin1String("circle 1 ")) ? 0 : 1;
 }
 
 } // namespace
@@ -75,6 +75,9 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
             const std::size_t shot = shotOf(variant);
             QVERIFY(length(c[1 - shot].body.velocity) > 0.2);
             const double speed = length(c[shot].body.velocity);
+            QVERIFY2(variant.name.startsWith(
+                         QStringLiteral("circle %1 towards ").arg(shot == 0 ? 1 : 2)),
+                     qPrintable(variant.name));
             // Two of each circle are so slow that a program could take it for rest.
             if (speed < 0.5)
                 ++slow;

@@ -27,6 +27,7 @@ private slots:
     void whatTheLabGivesDoesNotCount();
     void whatTheClassSharesDoesNotCount();
     void sharedLinesAreThoseOfTheCopy();
+    void whatTheClassSharesIsNotShown();
     void thousandsAreCompared();
 
 private:
@@ -236,6 +237,29 @@ void TestSimilarPrograms::sharedLinesAreThoseOfTheCopy()
     QVERIFY(shared.first.lines.front() > static_cast<int>(host.count(QLatin1Char('\n'))));
     QVERIFY(shared.second.lines.size() > 15);
     QVERIFY(shared.second.lines.back() <= static_cast<int>(own.count(QLatin1Char('\n'))));
+}
+
+/// Six share some twenty lines; of these two share more, which alone is shown.
+void TestSimilarPrograms::whatTheClassSharesIsNotShown()
+{
+    QString common;
+    for (int line = 0; line < 20; ++line)
+        common += QStringLiteral("a%1 = b + 7 * (c - 9%1)\n").arg(line);
+    SimilarPrograms similar(m_lab);
+    const StudentResult first = studentWith(common + own);
+    const StudentResult second = studentWith(common + renamed(own));
+    for (int i = 0; i < 4; ++i)
+        similar.add(studentWith(common));
+    similar.add(first);
+    similar.add(second);
+    const auto pairs = similar.pairs(10);
+    QCOMPARE(pairs.size(), std::size_t(1));
+    QCOMPARE(pairs[0].first, 4);
+    QCOMPARE(pairs[0].second, 5);
+    const auto shared = similar.sharedLines(first, second);
+    // A run that begins in the last common line is nobody else's.
+    QVERIFY(shared.first.lines.front() >= 18);
+    QVERIFY(shared.first.lines.size() > 15);
 }
 
 void TestSimilarPrograms::thousandsAreCompared()

@@ -25,6 +25,7 @@ private slots:
     void studentPageHoldsNothingOfOthers();
     void latenessIsToldWithTheSum();
     void whatIsNotGradedIsNeitherPassedNorFailed();
+    void valuesAtAnErrorAreTold();
     void codeAroundMarksItsLine();
     void momentOfAnErrorIsShort();
 
@@ -92,6 +93,30 @@ void TestStudentPage::whatIsNotGradedIsNeitherPassedNorFailed()
     QVERIFY(html.contains("<p class=\"sum\">1 of 2 steps pass</p>"));
     QVERIFY(html.contains("– of 2.5"));
     QVERIFY(page("class.html").contains("<bdi>Bob Dobbs</bdi>, S2: the machine &amp; all failed"));
+}
+
+/// Six of them.
+void TestStudentPage::valuesAtAnErrorAreTold()
+{
+    for (const int count : {0, 2, 6, 8}) {
+        StudentResult student = mallory(m_lab);
+        ProgramError error{.message = QStringLiteral("a < b"), .line = 2};
+        for (int i = 0; i < count; ++i)
+            error.locals.push_back(
+                {.name = QStringLiteral("v%1").arg(i), .value = QStringLiteral("<%1>").arg(i)});
+        student.steps[0].report->error = error;
+        const QTemporaryDir folder;
+        QVERIFY(keep(folder.path(), {student}, m_lab));
+        QVERIFY(!writeClassResults(folder.path(), m_lab, facts()));
+        QFile file(folder.filePath(QStringLiteral("students/mallory.html")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray html = file.readAll();
+        QVERIFY(html.contains("The program does not load."));
+        QVERIFY(html.contains("line 2: a &lt; b"));
+        QCOMPARE(html.contains("<p>There: <code>v0 = &lt;0&gt;</code>"), count > 0);
+        QCOMPARE(html.contains(", <code>v5 = &lt;5&gt;</code></p>"), count > 5);
+        QVERIFY(!html.contains("<code>v6 = "));
+    }
 }
 
 void TestStudentPage::codeAroundMarksItsLine()

@@ -25,6 +25,7 @@ private slots:
     void reportsSurvive();
     void everythingOfAStudentSurvives();
     void momentsOfARealRunSurvive();
+    void momentsAfterALongRunAreNotShown();
     void sameResultSameBytes();
     void noTimeIsTold();
     void pointsFollowFromTheChecks();
@@ -138,6 +139,24 @@ void TestStudentResultJson::momentsOfARealRunSurvive()
     QCOMPARE(*read, result);
 }
 
+/// Up to 20,000 steps.
+void TestStudentResultJson::momentsAfterALongRunAreNotShown()
+{
+    const Task &task = m_lab.tasks.front();
+    CheckReport report;
+    report.checks.resize(1);
+    report.checks.front().id = QStringLiteral("late");
+    report.checks.front().scene = task.preset;
+    for (const auto &[step, shown] :
+         {std::pair(-1, 0), std::pair(0, 1), std::pair(20'000, 1), std::pair(20'001, 0)}) {
+        report.checks.front().step = step;
+        QCOMPARE(momentsOf(report, task, nullptr).size(), std::size_t(shown));
+    }
+    report.checks.front().step = 5;
+    report.checks.front().passed = true;
+    QVERIFY(momentsOf(report, task, nullptr).empty());
+}
+
 void TestStudentResultJson::sameResultSameBytes()
 {
     const StudentResult result = of(reports::diagnosed());
@@ -200,6 +219,9 @@ void TestStudentResultJson::whatIsWrongIsSaid_data()
     QTest::newRow("colour that breaks out")
         << QByteArray("#1e90ff") << QByteArray("\\\"><b>x")
         << QStringLiteral("/steps/0/moments/0/circles/0/colour");
+    for (const char *colour : {"#ge90ff", "#1e90fg", "1e90ff0", "#1e90f"})
+        QTest::newRow(colour) << QByteArray("#1e90ff") << QByteArray(colour)
+                              << QStringLiteral("/steps/0/moments/0/circles/0/colour");
 }
 
 void TestStudentResultJson::whatIsWrongIsSaid()

@@ -21,6 +21,7 @@ public:
         quint16 flags = 0;      ///< general purpose bits
         quint16 method = 0;     ///< 0: stored; 8 with \c deflate
         bool deflate = false;
+        quint8 system = 3; ///< that made it: 3 is Unix, 0 MS-DOS, whose attributes are no modes
         std::optional<quint32> crc{};
         std::optional<quint32> declaredSize{};
         std::optional<quint32> declaredPacked{};
@@ -36,9 +37,10 @@ public:
                                 + number(entry.declaredPacked.value_or(quint32(packed.size())))
                                 + number(entry.declaredSize.value_or(quint32(entry.content.size())))
                                 + number(quint16(entry.name.size())) + number<quint16>(0);
-        m_directory += "PK\x01\x02" + number<quint16>(0x0314) + number<quint16>(20) + both
-                       + number<quint16>(0) + number<quint16>(0) + number<quint16>(0)
-                       + number(entry.mode << 16) + number(quint32(m_files.size())) + entry.name;
+        m_directory += "PK\x01\x02" + number<quint16>(quint16(entry.system << 8 | 20))
+                       + number<quint16>(20) + both + number<quint16>(0) + number<quint16>(0)
+                       + number<quint16>(0) + number(entry.mode << 16)
+                       + number(quint32(m_files.size())) + entry.name;
         m_files += "PK\x03\x04" + number<quint16>(20) + both + entry.name + packed;
         ++m_count;
         return *this;
