@@ -87,11 +87,12 @@ void CodeDesk::wireEditor()
     connect(&m_pane, &CodePane::helpRequested, this, &CodeDesk::showReference);
     connect(&m_pane, &CodePane::afreshRequested, this, &CodeDesk::startAfresh);
     connect(&m_pane, &CodePane::solutionRequested, this, [this] {
-        if (m_workbench.mayShowSolution())
+        if (m_workbench.progress().mayShowSolution())
             m_pane.showSolution(m_workbench.task()->solution);
     });
-    connect(&m_workbench, &Workbench::progressChanged, this, &CodeDesk::showSolutionButton);
-    connect(&m_workbench, &Workbench::hintsChanged, this, &CodeDesk::showSolutionButton);
+    connect(&m_workbench.check(), &WorkCheck::countedLater, this, &CodeDesk::showSolutionButton);
+    connect(&m_workbench.progress(), &KeptProgress::hintsChanged, this,
+            &CodeDesk::showSolutionButton);
 }
 
 void CodeDesk::wireSteps()
@@ -179,7 +180,7 @@ void CodeDesk::showPause(const StudentScript::Pause &pause)
 void CodeDesk::showReport()
 {
     int line = 0;
-    if (const auto &report = m_workbench.report(); report && !report->error) {
+    if (const auto &report = m_workbench.check().report(); report && !report->error) {
         for (const CheckOutcome &check : report->checks) {
             if (line == 0 && !check.passed)
                 line = check.line;
@@ -193,7 +194,7 @@ void CodeDesk::showReport()
 
 void CodeDesk::showSolutionButton()
 {
-    m_pane.setSolutionAvailable(m_workbench.mayShowSolution());
+    m_pane.setSolutionAvailable(m_workbench.progress().mayShowSolution());
 }
 
 void CodeDesk::showReference(const QString &word)
@@ -218,7 +219,7 @@ void CodeDesk::startAfresh()
            "step stays among its versions. Go back?"),
         QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
     if (answer == QMessageBox::Yes)
-        m_workbench.startAfresh();
+        m_workbench.waysBack().startAfresh();
 }
 
 } // namespace cradle

@@ -87,7 +87,7 @@ Sender HandInDialog::sender() const
 
 void HandInDialog::judge()
 {
-    m_workbench.save();
+    m_workbench.progress().save();
     if (!m_workbench.code().isSaved()) {
         m_message->setText(unsavedText());
         return;

@@ -98,7 +98,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
     }
     m_settings.setValue(QStringLiteral("geometry"), saveGeometry());
     m_room.keep();
-    m_workbench.save();
+    m_workbench.progress().save();
     event->accept();
 }
 

@@ -57,7 +57,7 @@ ReportDialog::ReportDialog(Workbench &workbench, bool finished, QWidget *parent)
     });
     connect(&m_job, &WorkJob::failed, this,
             [this](const Error &error) { saysWhy(error.toString()); });
-    workbench.save();
+    workbench.progress().save();
     if (!workbench.code().isSaved()) {
         saysWhy(unsavedText());
         return;

@@ -21,7 +21,7 @@ SceneDesk::SceneDesk(Workbench &workbench, Panes &panes)
     connect(panes.inspector, &Inspector::selectionChanged, panes.scene, &SceneView::select);
     connect(document, &PresetDocument::visitingChanged, this, &SceneDesk::showVisit);
     connect(panes.notice, &NoticeBar::actionTriggered, document, &PresetDocument::leave);
-    connect(&workbench, &Workbench::ghostChanged, this, &SceneDesk::showGhost);
+    connect(&workbench.moment(), &FaultMoment::ghostChanged, this, &SceneDesk::showGhost);
     connect(&workbench.code(), &CodeSession::paused, this, &SceneDesk::showPause);
     connect(&workbench.code(), &CodeSession::steppingEnded, this, &SceneDesk::showGhost);
     wireValues();
@@ -31,7 +31,7 @@ void SceneDesk::wireValues()
 {
     Simulation *simulation = &m_workbench.simulation();
     connect(simulation, &Simulation::frameReady, this, [this] {
-        if (m_saidFault && *m_saidFault != m_workbench.showsFault())
+        if (m_saidFault && *m_saidFault != m_workbench.moment().isShown())
             showVisit(true);
     });
     connect(simulation, &Simulation::noHitFound, this, [this] {
@@ -47,7 +47,7 @@ void SceneDesk::wireValues()
 
 void SceneDesk::showGhost()
 {
-    m_panes.scene->setGhost(m_workbench.ghost(), tr("reference"));
+    m_panes.scene->setGhost(m_workbench.moment().ghost(), tr("reference"));
 }
 
 /// In the middle of an update the circles are where the program has put them so far.
@@ -61,7 +61,7 @@ void SceneDesk::showPause(const StudentScript::Pause &pause)
 /// Of the moment only while it is the one shown.
 void SceneDesk::showVisit(bool visiting)
 {
-    m_saidFault = visiting ? std::optional(m_workbench.showsFault()) : std::nullopt;
+    m_saidFault = visiting ? std::optional(m_workbench.moment().isShown()) : std::nullopt;
     if (visiting)
         m_panes.notice->showNotice(
             *m_saidFault ? tr("This is a scene of the check, at the moment where it went wrong.")

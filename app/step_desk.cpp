@@ -29,11 +29,11 @@ StepDesk::StepDesk(Workbench &workbench, Panes &panes, Room &room, QSettings &se
     connect(bench, &Workbench::taskChanged, this, &StepDesk::showTask);
     connect(bench, &Workbench::modeChanged, this, &StepDesk::showMode);
     // Who has passed is shown what was to be predicted.
-    connect(bench, &Workbench::progressChanged, this, &StepDesk::showProgress);
-    connect(bench, &Workbench::progressChanged, this, &StepDesk::showGuess);
-    connect(bench, &Workbench::reportChanged, this, &StepDesk::showProgress);
-    connect(bench, &Workbench::reportChanged, this, &StepDesk::showGuess);
-    connect(bench, &Workbench::guessChanged, this, &StepDesk::showGuess);
+    for (const auto counted : {&WorkCheck::countedLater, &WorkCheck::reported}) {
+        connect(&bench->check(), counted, this, &StepDesk::showProgress);
+        connect(&bench->check(), counted, this, &StepDesk::showGuess);
+    }
+    connect(&bench->progress(), &KeptProgress::guessChanged, this, &StepDesk::showGuess);
     connect(&bench->document(), &PresetDocument::edited, this, &StepDesk::showProgress);
     connect(panes.transport, &TransportBar::modeChosen, this, &StepDesk::chooseMode);
     wireTaskPane();
@@ -42,13 +42,15 @@ StepDesk::StepDesk(Workbench &workbench, Panes &panes, Room &room, QSettings &se
 void StepDesk::wireTaskPane()
 {
     Workbench *bench = &m_workbench;
+    KeptProgress *progress = &m_workbench.progress();
     connect(m_panes.task, &TaskPane::stepChosen, bench, &Workbench::openTaskAt);
-    connect(m_panes.task, &TaskPane::hintOpened, bench, &Workbench::setHintsOpened);
-    connect(m_panes.task, &TaskPane::predicted, bench, &Workbench::predict);
-    connect(m_panes.task, &TaskPane::answered, bench, &Workbench::answer);
-    connect(m_panes.task, &TaskPane::outcomeRequested, bench, &Workbench::revealOutcome);
+    connect(m_panes.task, &TaskPane::hintOpened, progress, &KeptProgress::setHintsOpened);
+    connect(m_panes.task, &TaskPane::predicted, progress, &KeptProgress::predict);
+    connect(m_panes.task, &TaskPane::answered, progress, &KeptProgress::answer);
+    connect(m_panes.task, &TaskPane::outcomeRequested, progress, &KeptProgress::revealOutcome);
     connect(m_panes.task, &TaskPane::nextStepRequested, bench, &Workbench::openNextTask);
-    connect(m_panes.task, &TaskPane::passedSceneRequested, bench, &Workbench::backToPassedScene);
+    connect(m_panes.task, &TaskPane::passedSceneRequested, &bench->waysBack(),
+            &WaysBack::takePassedScene);
 }
 
 void StepDesk::showTask()
@@ -71,23 +73,24 @@ void StepDesk::showTask()
 void StepDesk::showInstructions()
 {
     m_panes.task->showTask(taskFor(m_workbench.mode(), *m_workbench.task()),
-                           m_workbench.hintsOpened());
+                           m_workbench.progress().hintsOpened());
     showGuess();
-    m_panes.task->setAnswers(m_workbench.answers());
+    m_panes.task->setAnswers(m_workbench.progress().answers());
 }
 
 void StepDesk::showGuess()
 {
-    m_panes.task->setGuess(m_workbench.guess());
+    m_panes.task->setGuess(m_workbench.progress().guess());
 }
 
 void StepDesk::showProgress()
 {
-    m_panes.task->setProgress(m_workbench.passed(), m_workbench.current(), m_workbench.pass());
-    m_panes.task->setAwaitsRun(m_workbench.awaitsRun());
+    m_panes.task->setProgress(m_workbench.progress().passed(), m_workbench.current(),
+                              m_workbench.progress().pass());
+    m_panes.task->setAwaitsRun(m_workbench.check().awaitsRun());
     m_panes.task->setOffersSolution(m_workbench.mode() == Mode::Code
-                                    && m_workbench.mayShowSolution());
-    m_panes.task->setOffersPassedScene(m_workbench.passedScene().has_value());
+                                    && m_workbench.progress().mayShowSolution());
+    m_panes.task->setOffersPassedScene(m_workbench.waysBack().passedScene().has_value());
 }
 
 /// An example tells what there is to see, and the tab that shows it comes to the front.

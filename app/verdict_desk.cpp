@@ -21,29 +21,30 @@ VerdictDesk::VerdictDesk(Workbench &workbench, Panes &panes, CodeDesk &code)
     , m_code(code)
 {
     Workbench *bench = &workbench;
-    connect(panes.transport, &TransportBar::checkRequested, bench, &Workbench::check);
-    connect(panes.transport, &TransportBar::checkCancelled, bench, &Workbench::cancelCheck);
-    connect(bench, &Workbench::checkStarted, this, [this] {
+    WorkCheck *check = &workbench.check();
+    connect(panes.transport, &TransportBar::checkRequested, check, &WorkCheck::start);
+    connect(panes.transport, &TransportBar::checkCancelled, check, &WorkCheck::cancel);
+    connect(check, &WorkCheck::started, this, [this] {
         m_panes.transport->setChecking(true);
         m_panes.task->setChecking(true);
     });
-    connect(bench, &Workbench::checkProgressed, this, [this](int done, int total) {
+    connect(check, &WorkCheck::progressed, this, [this](int done, int total) {
         m_panes.transport->setCheckProgress(total > 0 ? double(done) / total : 0.0);
         m_panes.task->setChecking(true, done, total);
     });
-    connect(bench, &Workbench::checkCancelled, this, [this] {
+    connect(check, &WorkCheck::cancelled, this, [this] {
         m_panes.transport->setChecking(false);
-        m_panes.task->setReport(m_workbench.report());
+        m_panes.task->setReport(m_workbench.check().report());
     });
-    connect(bench, &Workbench::reportChanged, this, [this] {
+    connect(check, &WorkCheck::reported, this, [this] {
         m_panes.transport->setChecking(false);
         showReport();
         announce();
     });
     connect(bench, &Workbench::taskChanged, this, &VerdictDesk::showReport);
     connect(bench, &Workbench::modeChanged, this, &VerdictDesk::showReport);
-    connect(bench, &Workbench::reportStale, panes.task, &TaskPane::setStale);
-    connect(panes.task, &TaskPane::showMoment, bench, &Workbench::showMoment);
+    connect(check, &WorkCheck::stale, panes.task, &TaskPane::setStale);
+    connect(panes.task, &TaskPane::showMoment, &bench->moment(), &FaultMoment::show);
     connect(panes.task, &TaskPane::lineRequested, this,
             [this](int line) { m_panes.showCode(line); });
     connect(panes.task, &TaskPane::solutionRequested, panes.code, &CodePane::solutionRequested);
@@ -51,12 +52,12 @@ VerdictDesk::VerdictDesk(Workbench &workbench, Panes &panes, CodeDesk &code)
 
 void VerdictDesk::showReport()
 {
-    m_panes.task->setReport(m_workbench.report());
+    m_panes.task->setReport(m_workbench.check().report());
     m_code.showReport();
     std::vector<Timeline::Mark> marks;
     const Preset &own = m_workbench.document().own();
-    if (m_workbench.report()) {
-        for (const CheckOutcome &check : m_workbench.report()->checks) {
+    if (m_workbench.check().report()) {
+        for (const CheckOutcome &check : m_workbench.check().report()->checks) {
             if (!check.passed && check.scene == own && !check.pinned)
                 marks.push_back({.time = static_cast<double>(check.step) * own.timestep,
                                  .label = tr("Not yet: %1").arg(check.title)});
@@ -68,7 +69,7 @@ void VerdictDesk::showReport()
 /// In the words of the result's first line.
 void VerdictDesk::announce()
 {
-    const std::optional<CheckReport> &report = m_workbench.report();
+    const std::optional<CheckReport> &report = m_workbench.check().report();
     if (!report)
         return;
     const Finding *found = report->diagnosis();

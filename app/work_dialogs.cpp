@@ -18,7 +18,7 @@ WorkDialogs::WorkDialogs(Workbench &workbench, KeepingDesk &keeping, NoticeBar &
     , m_notice(notice)
     , m_window(window)
 {
-    connect(&workbench, &Workbench::labFinished, this, [this] { lookBack(true); });
+    connect(&workbench.check(), &WorkCheck::labFinished, this, [this] { lookBack(true); });
 }
 
 /// Says so where nothing of the work is kept, or by whom.

@@ -15,6 +15,17 @@
 
 namespace cradle {
 
+namespace {
+
+/// Whether commits are signed "Student": neither git nor the work knows a name.
+bool signsAsNobody(const Workspace &workspace)
+{
+    const History *history = workspace.history();
+    return history && history->gitName().isEmpty() && workspace.info().student.isEmpty();
+}
+
+} // namespace
+
 WorkNotices::WorkNotices(Workbench &workbench, NoticeBar &notice, QSettings &settings,
                          QWidget &window)
     : m_workbench(workbench)
@@ -27,7 +38,7 @@ WorkNotices::WorkNotices(Workbench &workbench, NoticeBar &notice, QSettings &set
             [this](const Error &error) { m_notice.warn(error.toString()); });
     connect(&workbench, &Workbench::taskChanged, this, &WorkNotices::showTaskNotice);
     connect(&workbench, &Workbench::heldElsewhere, this, &WorkNotices::showHolder);
-    connect(&workbench, &Workbench::stepCommitted, this, &WorkNotices::askNameOnce);
+    connect(&workbench.check(), &WorkCheck::stepCommitted, this, &WorkNotices::askNameOnce);
     // Not while the lab is being opened.
     connect(&workbench, &Workbench::numberWanted, this, &WorkNotices::askNumber,
             Qt::QueuedConnection);
@@ -100,21 +111,24 @@ void WorkNotices::showTaskNotice()
     } else if (bench->task() && bench->mode() == Mode::Code && code.foreign()) {
         std::vector<NoticeBar::Offer> offers;
         if (code.workspace().canConvert(code.taskId()))
-            offers.push_back({tr("Make a program of it"), [bench] { bench->convertProgram(); }});
-        if (bench->newestVersion())
             offers.push_back(
-                {tr("Back to the newest version"), [bench] { bench->recoverProgram(); }});
-        offers.push_back({tr("Begin this step anew"), [bench] { bench->setProgramAside(); }});
+                {tr("Make a program of it"), [bench] { bench->waysBack().convertProgram(); }});
+        if (bench->waysBack().newestVersion())
+            offers.push_back({tr("Back to the newest version"),
+                              [bench] { bench->waysBack().takeNewestVersion(); }});
+        offers.push_back(
+            {tr("Begin this step anew"), [bench] { bench->waysBack().setProgramAside(); }});
         m_notice.showNotice(tr("The file of your program is no program, and is left as it is. %1 "
                                "Whatever you choose, the file is kept beside it.")
                                 .arg(code.foreign()->toString()),
                             offers);
-    } else if (const Task *missed = bench->mode() == Mode::Code ? bench->missedTask() : nullptr) {
+    } else if (const Task *missed =
+                   bench->mode() == Mode::Code ? bench->waysBack().missedTask() : nullptr) {
         m_notice.showNotice(
             tr("This step goes on from the one before, which you have not done. You begin with "
                "your own program."),
             {{tr("Begin with the solution of “%1”").arg(missed->title),
-              [bench] { bench->startFromSolution(); }}});
+              [bench] { bench->waysBack().startFromSolution(); }}});
     } else if (bench->isFirstStart() && bench->current() == 0) {
         m_notice.showNotice(
             bench->mode() == Mode::Code
@@ -149,7 +163,7 @@ void WorkNotices::showHolder()
 void WorkNotices::askNameOnce()
 {
     const QString asked = QStringLiteral("nameAsked");
-    if (m_settings.value(asked).toBool() || !m_workbench.signsAsNobody())
+    if (m_settings.value(asked).toBool() || !signsAsNobody(m_workbench.code().workspace()))
         return;
     m_settings.setValue(asked, true);
     m_notice.showNotice(tr("What you pass is kept in your history, signed “Student”. It can be "

@@ -7,20 +7,15 @@
 #include "tasks/reading/lab_archive.h"
 #include "tasks/reading/lab_list.h"
 #include "tasks/reading/lab_reader.h"
+#include "tasks/script/script_limits.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
-#include <chrono>
 
 namespace cradle {
 
 namespace {
-
-using namespace std::chrono_literals;
-
-/// After the last edit; a drag makes many.
-constexpr auto saveDelay = 300ms;
 
 /// The folder of the lab with that id, among those that ship and the user's; empty if none has it.
 QString labNamed(const QString &id)
@@ -39,48 +34,34 @@ QString labNamed(const QString &id)
 
 Workbench::Workbench(const QString &progressFile, QObject *parent)
     : QObject(parent)
-    , m_store(progressFile)
-    , m_simulation(Preset{})
-    , m_document(m_simulation)
-    , m_code(m_simulation)
     , m_progressFile(progressFile)
     , m_programs(progressFile.isEmpty()
                      ? QString()
                      : QFileInfo(progressFile).path() + QStringLiteral("/programs"))
+    , m_simulation(Preset{})
+    , m_document(m_simulation)
+    , m_code(m_simulation)
+    , m_progress(m_place, m_code, progressFile)
+    , m_moment(m_place, m_document, m_code)
+    , m_check(m_place, m_document, m_code, m_progress, m_moment)
+    , m_waysBack(m_place, m_document, m_code, m_progress)
 {
-    m_saveSoon.setSingleShot(true);
-    m_saveSoon.setInterval(saveDelay);
-    connect(&m_saveSoon, &QTimer::timeout, this, &Workbench::save);
-    connect(&m_document, &PresetDocument::edited, this, &Workbench::keepEdited);
-    connect(&m_document, &PresetDocument::visitingChanged, this, [this](bool visiting) {
-        if (!visiting) {
-            m_code.setPinned(false);
-            setGhost(nullptr);
-        }
+    connect(&m_document, &PresetDocument::edited, &m_progress, [this] {
+        m_progress.noteScene(m_document.isOriginal() ? std::nullopt
+                                                     : std::optional(m_document.preset()));
     });
-    connect(&m_simulation, &Simulation::frameReady, this, &Workbench::noteWatched);
-    connect(&m_code, &CodeSession::edited, this, [this] {
-        forgetRun();
-        markStale();
+    connect(&m_simulation, &Simulation::frameReady, &m_progress, [this] {
+        if (!m_simulation.atStart())
+            m_progress.noteWatched();
     });
-    connect(&m_code, &CodeSession::opened, this, &Workbench::forgetRun);
-    connect(&m_code, &CodeSession::textReplaced, this, &Workbench::forgetRun);
     connect(&m_code, &CodeSession::failed, this, &Workbench::failed);
-    connect(&m_checker, &Checker::progressed, this, &Workbench::checkProgressed);
-    connect(&m_checker, &Checker::finished, this, &Workbench::finishCheck);
-    connect(&m_checker, &Checker::cancelled, this, &Workbench::checkCancelled);
-    connect(&m_reference, &ReferenceRun::finished, this, &Workbench::setGhost);
+    connect(&m_progress, &KeptProgress::failed, this, &Workbench::failed);
+    connect(&m_check, &WorkCheck::failed, this, &Workbench::failed);
 }
 
 Workbench::~Workbench()
 {
-    if (m_saveSoon.isActive())
-        save();
-}
-
-const Task *Workbench::task() const
-{
-    return m_current >= 0 ? &m_lab.tasks[static_cast<std::size_t>(m_current)] : nullptr;
+    m_progress.saveDue();
 }
 
 std::optional<Error> Workbench::openLab(const QString &folder, const QString &language)
@@ -110,28 +91,26 @@ std::optional<Error> Workbench::openLabWith(const QString &folder, const QString
     Result<Lab> lab = readLab(folder, language);
     if (!lab)
         return lab.error();
-    if (m_saveSoon.isActive())
-        save();
+    m_progress.saveDue();
     m_code.close();
     // The progress of work that lies elsewhere lies with it; who only looks has none.
-    m_store = ProgressStore(work.isEmpty() ? m_progressFile
-                            : readOnly     ? QString()
-                                           : work + QStringLiteral("/.git/cradle-progress.json"));
-    const std::optional<Error> brokenProgress = m_store.load();
-    m_lab = std::move(*lab);
-    m_current = -1;
-    LabProgress &progressOfLab = m_store.lab(m_lab.id);
-    m_firstStart = progressOfLab.tasks.empty() && work.isEmpty();
-    const bool isNew = progressOfLab.tasks.empty();
-    openWorkspace(work.isEmpty() && !m_programs.isEmpty() ? m_programs + QLatin1Char('/') + m_lab.id
-                                                          : work,
+    const std::optional<Error> brokenProgress =
+        m_progress.open(work.isEmpty() ? m_progressFile
+                        : readOnly     ? QString()
+                                       : work + QStringLiteral("/.git/cradle-progress.json"));
+    m_place = {.lab = std::move(*lab)};
+    const bool isNew = m_progress.isEmpty();
+    m_firstStart = isNew && work.isEmpty();
+    openWorkspace(work.isEmpty() && !m_programs.isEmpty()
+                      ? m_programs + QLatin1Char('/') + m_place.lab.id
+                      : work,
                   readOnly);
     if (!work.isEmpty() && isNew)
-        takeKeptProgress();
-    m_lab = forStudent(m_lab, m_code.workspace().info().studentId);
+        m_progress.takeFromWork();
+    m_place.lab = forStudent(m_place.lab, m_code.workspace().info().studentId);
     emit labChanged();
-    if (!m_lab.tasks.empty())
-        openTaskAt(std::max(0, m_lab.indexOf(progressOfLab.currentTask)));
+    if (!m_place.lab.tasks.empty())
+        openTaskAt(std::max(0, m_place.lab.indexOf(m_progress.lastStep())));
     if (brokenProgress)
         emit failed(*brokenProgress);
     if (m_code.workspace().holder())
@@ -141,34 +120,60 @@ std::optional<Error> Workbench::openLabWith(const QString &folder, const QString
     return std::nullopt;
 }
 
+void Workbench::openWorkspace(const QString &folder, bool readOnly)
+{
+    m_code.setWorkspace(Workspace()); // gives the lock back: this may be the same lab again
+    if (folder.isEmpty())
+        return;
+    Workspace workspace(folder);
+    std::optional<Error> error;
+    if (readOnly)
+        workspace.beginReading();
+    else
+        error = workspace.begin(m_place.lab, m_progress.lastStep());
+    m_code.setWorkspace(std::move(workspace));
+    if (error)
+        emit failed(*error);
+}
+
+void Workbench::takeOver()
+{
+    if (!task())
+        return;
+    if (const auto error = m_progress.readAgain())
+        emit failed(*error);
+    m_code.takeOver(m_place.lab, m_place.current);
+    emit taskChanged();
+}
+
 bool Workbench::wantsNumber() const
 {
-    return m_lab.drawsValues && m_code.workspace().info().studentId.isEmpty() && mayWrite()
-           && !m_code.workspace().isLookedAt();
+    return m_place.lab.drawsValues && m_code.workspace().info().studentId.isEmpty()
+           && m_code.workspace().mayWrite() && !m_code.workspace().isLookedAt();
 }
 
 std::optional<Error> Workbench::setStudentNumber(const QString &number)
 {
     auto error = m_code.workspace().setStudent(m_code.workspace().info().student, number);
     const QString step = task() ? task()->id : QString();
-    m_lab = forStudent(m_lab, m_code.workspace().info().studentId);
-    m_current = -1; // its scene is another now
+    m_place.lab = forStudent(m_place.lab, m_code.workspace().info().studentId);
+    m_place.current = -1; // its scene is another now
     emit labChanged();
-    openTaskAt(std::max(0, m_lab.indexOf(step)));
+    openTaskAt(std::max(0, m_place.lab.indexOf(step)));
     return error;
 }
 
 void Workbench::setLanguage(const QString &language)
 {
-    Result<Lab> lab = readLab(m_lab.folder, language);
-    if (!lab || lab->tasks.size() != m_lab.tasks.size())
+    Result<Lab> lab = readLab(m_place.lab.folder, language);
+    if (!lab || lab->tasks.size() != m_place.lab.tasks.size())
         return;
-    m_lab = forStudent(*lab, m_code.workspace().info().studentId);
+    m_place.lab = forStudent(*lab, m_code.workspace().info().studentId);
     emit labChanged();
     emit taskChanged();
     // The messages of a report are in the language of its time.
-    if (m_report)
-        check();
+    if (m_check.report())
+        m_check.start();
 }
 
 std::optional<Error> Workbench::openPreset(const QString &path)
@@ -191,13 +196,12 @@ std::optional<Error> Workbench::openExample(Example example)
 
 void Workbench::openScene(const Preset &preset, std::optional<Example> example)
 {
-    cancelCheck();
+    m_check.leave();
     m_simulation.pause();
-    m_current = -1;
+    m_place.current = -1;
     m_example = example;
-    dropReport();
     m_code.close();
-    setGhost(nullptr);
+    m_moment.forgetGhost();
     m_document.setLocked({});
     m_document.open(preset);
     emit taskChanged();
@@ -205,7 +209,7 @@ void Workbench::openScene(const Preset &preset, std::optional<Example> example)
 
 bool Workbench::openTask(const QString &id)
 {
-    const int index = m_lab.indexOf(id);
+    const int index = m_place.lab.indexOf(id);
     if (index >= 0)
         openTaskAt(index);
     return index >= 0;
@@ -220,67 +224,55 @@ std::optional<Error> Workbench::takePreset(const QString &path)
     return std::nullopt;
 }
 
+std::optional<Error> Workbench::takeScript(const QString &path)
+{
+    const Result<QByteArray> text = readFile(path, limits::sourceBytes);
+    if (!text)
+        return text.error();
+    m_code.replace(QString::fromUtf8(*text));
+    return std::nullopt;
+}
+
 void Workbench::setMode(Mode mode)
 {
     m_wantedMode = mode;
     if (mode == this->mode())
         return;
-    cancelCheck();
+    m_check.leave();
     m_document.leave();
     m_code.setActive(mode == Mode::Code);
-    dropReport();
-    setGhost(nullptr);
+    m_moment.forgetGhost();
     emit modeChanged();
 }
 
 void Workbench::openTaskAt(int index)
 {
-    if (index < 0 || index >= static_cast<int>(m_lab.tasks.size()))
+    if (index < 0 || index >= static_cast<int>(m_place.lab.tasks.size()))
         return;
-    cancelCheck();
+    m_check.leave();
     m_simulation.pause();
-    m_current = index;
+    m_place.current = index;
     m_example.reset();
-    dropReport();
-    m_store.lab(m_lab.id).currentTask = task()->id;
-    setGhost(nullptr);
+    m_progress.noteOpened();
+    m_moment.forgetGhost();
     m_simulation.setProgramLaws(task()->laws);
     // The old program does not meet the new scene, nor the new one the old scene.
-    m_code.open(m_lab, index, m_wantedMode == Mode::Code, [this](Program *program) {
+    m_code.open(m_place.lab, index, m_wantedMode == Mode::Code, [this](Program *program) {
         m_document.setLocked({}); // those of the step before
-        m_document.open(task()->preset, progress().edited, program);
+        m_document.open(task()->preset, m_progress.scene(), program);
         m_document.setLocked(task()->locked);
     });
-    m_saveSoon.start();
     emit taskChanged();
 }
 
 void Workbench::openNextTask()
 {
-    openTaskAt(m_current + 1);
+    openTaskAt(m_place.current + 1);
 }
 
 void Workbench::openPreviousTask()
 {
-    openTaskAt(m_current - 1);
-}
-
-void Workbench::keepEdited()
-{
-    forgetRun();
-    markStale();
-    if (!task())
-        return;
-    const bool original = m_document.isOriginal();
-    progress().edited = original ? std::nullopt : std::optional(m_document.preset());
-    m_saveSoon.start();
-}
-
-bool Workbench::isLast() const
-{
-    const auto last = std::find_if(m_lab.tasks.rbegin(), m_lab.tasks.rend(),
-                                   [](const Task &each) { return !each.extra; });
-    return last != m_lab.tasks.rend() && task() == &*last;
+    openTaskAt(m_place.current - 1);
 }
 
 } // namespace cradle

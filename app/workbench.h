@@ -2,21 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/code_session.h"
 #include "app/examples.h"
-#include "app/reference_run.h"
-#include "tasks/judging/checker.h"
+#include "app/ways_back.h"
+#include "app/work_check.h"
 #include "tasks/lab/mode.h"
-#include "tasks/questions/answers.h"
-#include "tasks/workspace/progress.h"
-#include "views/preset_document.h"
-
-#include <QTimer>
 
 namespace cradle {
 
-/// What the student works on, without any window: the lab and its step, the scene, the program,
-/// the check, and the progress that is kept between starts.
+/// What the student works on, without any window: which lab, step and mode are open. What becomes
+/// of the work is the matter of its parts.
 class Workbench final : public QObject
 {
     Q_OBJECT
@@ -25,50 +19,23 @@ public:
     explicit Workbench(const QString &progressFile, QObject *parent = nullptr);
     ~Workbench() override;
 
-    [[nodiscard]] const Lab &lab() const { return m_lab; }
-    [[nodiscard]] int current() const { return m_current; } ///< −1: a scene without a step
-    [[nodiscard]] const Task *task() const;                 ///< nullptr for a scene without a step
+    [[nodiscard]] const Lab &lab() const { return m_place.lab; }
+    [[nodiscard]] int current() const { return m_place.current; } ///< −1: a scene without a step
+    [[nodiscard]] const Task *task() const { return m_place.task(); } ///< nullptr: the same
     /// The example that is open, if one is.
     [[nodiscard]] std::optional<Example> example() const { return m_example; }
+    /// How the student works; a scene without a step can only be explored.
+    [[nodiscard]] Mode mode() const { return m_code.isActive() ? Mode::Code : Mode::Explore; }
+    /// Whether nothing had ever been done in this lab when it was opened.
+    [[nodiscard]] bool isFirstStart() const { return m_firstStart; }
+
     [[nodiscard]] Simulation &simulation() { return m_simulation; }
     [[nodiscard]] PresetDocument &document() { return m_document; }
     [[nodiscard]] CodeSession &code() { return m_code; }
-    /// How the student works; a scene without a step can only be explored.
-    [[nodiscard]] Mode mode() const { return m_code.isActive() ? Mode::Code : Mode::Explore; }
-    /// The run of the reference in the scene shown, some time after showMoment(); null if there is
-    /// none.
-    [[nodiscard]] const std::shared_ptr<const Recording> &ghost() const { return m_ghost; }
-    /// Whether the moment shown is where the check that showMoment() went to went wrong.
-    [[nodiscard]] bool showsFault() const
-    {
-        return m_document.isVisiting()
-               && m_simulation.recording().step(m_simulation.current()) == m_visited;
-    }
-    /// Whether the reference program may be seen: after passing, or after all hints.
-    [[nodiscard]] bool mayShowSolution();
-    [[nodiscard]] const std::optional<CheckReport> &report() const { return m_report; }
-    [[nodiscard]] bool isChecking() const { return m_checker.isRunning(); }
-    /// Whether the last check passed, and the step counts as passed as soon as its run is shown.
-    [[nodiscard]] bool awaitsRun() const { return m_awaitsRun; }
-    [[nodiscard]] std::vector<bool> passed() const; ///< one for each step
-    [[nodiscard]] int hintsOpened();                ///< of the current step
-    /// What the last check that the current step passed has left; invalid if there is none.
-    [[nodiscard]] Pass pass();
-    /// What the student expects of the current step.
-    [[nodiscard]] Guess guess();
-    /// What the student answers to the questions of the current step.
-    [[nodiscard]] Answers answers() const;
-    /// Whether this window may save: if not, another works on the lab (see the workspace).
-    /// The text of the newest version of the open step's program; nothing if there is none.
-    [[nodiscard]] std::optional<QString> newestVersion() const;
-    [[nodiscard]] bool mayWrite() const { return m_code.workspace().mayWrite(); }
-    /// Whether commits are signed "Student": neither git nor the workspace knows a name.
-    [[nodiscard]] bool signsAsNobody() const;
-    /// The step before, if the open one builds on its solution and the student has a program of
-    /// neither: who jumped ahead.
-    [[nodiscard]] const Task *missedTask() const;
-    /// Whether nothing has ever been done in this lab.
-    [[nodiscard]] bool isFirstStart() const { return m_firstStart; }
+    [[nodiscard]] KeptProgress &progress() { return m_progress; }
+    [[nodiscard]] FaultMoment &moment() { return m_moment; }
+    [[nodiscard]] WorkCheck &check() { return m_check; }
+    [[nodiscard]] WaysBack &waysBack() { return m_waysBack; }
 
     /// Reads a lab and opens the step where the student left off.
     std::optional<Error> openLab(const QString &folder, const QString &language);
@@ -96,43 +63,14 @@ public slots:
     void openTaskAt(int index);
     void openNextTask();
     void openPreviousTask();
-    void check(); ///< judges the student's own scene
-    void cancelCheck();
-    void setHintsOpened(int count);
-    void predict(int answer); ///< of the current step's prediction, or Guess::notSure
-    void answer(const QString &question, const QJsonValue &value); ///< of the current step
-    void revealOutcome(); ///< shows what the prediction was about
-    /// The scene with which the open step was passed, where steps are worked on by scenes and
-    /// another is there now.
-    [[nodiscard]] std::optional<Preset> passedScene() const;
-    void backToPassedScene();
-    void startAfresh();       ///< the program of this step, from what the step before ended with
-    void startFromSolution(); ///< of the step before, if it was missed
-    void takeOver();          ///< the right to save, from the window that has it
-    void convertProgram();    ///< the step's file, which is no program, becomes one
-    void setProgramAside();   ///< the step begins anew; the file that is no program is kept
-    /// Puts the newest version of the step's program in place of a file that is none.
-    void recoverProgram();
-    void showMoment(const cradle::CheckOutcome &outcome); ///< where a check went wrong
-    void save();                                          ///< the progress, now
+    void takeOver(); ///< the right to save, from the window that has it
 
 signals:
-    void stepCommitted(); ///< a step was passed, and is in the history
-    void labFinished();   ///< its last step was passed for the first time
     void numberWanted();  ///< see wantsNumber()
     void heldElsewhere(); ///< another window works on the lab that was opened
     void labChanged();
-    void taskChanged();     ///< another step or scene, with its mode, report and progress
-    void modeChanged();     ///< of the open step, which has no report in it yet
-    void progressChanged(); ///< the open step was passed without another check
-    void hintsChanged();
-    void guessChanged();
-    void ghostChanged();
-    void checkStarted();
-    void checkProgressed(int done, int total);
-    void checkCancelled();
-    void reportChanged();         ///< a check ended, and with it the progress changed
-    void reportStale(bool stale); ///< whether the work is no longer what the report is about
+    void taskChanged(); ///< another step or scene, with its mode, report and progress
+    void modeChanged(); ///< of the open step, which has no report in it yet
     void failed(const cradle::Error &error); ///< something could not be saved or read
 
 private:
@@ -140,46 +78,20 @@ private:
     std::optional<Error> openLabWith(const QString &folder, const QString &language,
                                      const QString &work, bool readOnly);
     void openWorkspace(const QString &folder, bool readOnly);
-    void takeKeptProgress();
-    void keepSaid();
-    [[nodiscard]] bool isLast() const;
-    void keepChecked(const CheckReport &report);
-    void keepEdited();
-    void finishCheck(const CheckReport &report);
-    void commitChecked();
-    void countPass();
-    void awaitRun();
-    void dropReport();
-    void forgetRun();
-    void showFirstFailure();
-    void markStale();
-    void noteWatched();
-    void noteSeen();
-    void showReference(const CheckOutcome &outcome, qint64 step);
-    void setGhost(std::shared_ptr<const Recording> ghost);
-    [[nodiscard]] Submission submission() const;
-    TaskProgress &progress();
 
-    ProgressStore m_store;
-    Lab m_lab;
-    int m_current = -1;
+    LabPlace m_place;
     std::optional<Example> m_example;
     bool m_firstStart = false;
+    Mode m_wantedMode = Mode::Explore;
+    QString m_progressFile;
+    QString m_programs; ///< folder of the students' programs; empty: nowhere
     Simulation m_simulation;
     PresetDocument m_document;
     CodeSession m_code;
-    QString m_progressFile;
-    QString m_programs; ///< folder of the students' programs; empty: nowhere
-    Mode m_wantedMode = Mode::Explore;
-    Checker m_checker;
-    std::optional<CheckReport> m_report;
-    Submission m_judged;      ///< what the last check was asked about
-    ReferenceRun m_reference; ///< makes the ghost
-    std::shared_ptr<const Recording> m_ghost;
-    qint64 m_visited = 0;     ///< step of showMoment()
-    bool m_runSeen = false;   ///< the run of the work as it is now was shown, beyond its start
-    bool m_awaitsRun = false; ///< see awaitsRun()
-    QTimer m_saveSoon;
+    KeptProgress m_progress;
+    FaultMoment m_moment;
+    WorkCheck m_check;
+    WaysBack m_waysBack;
 };
 
 } // namespace cradle

@@ -128,28 +128,28 @@ void TestOpenedSteps::referenceComesWhenItHasRun()
 {
     m_bench->setMode(Mode::Code);
     m_bench->openTaskAt(0);
-    m_bench->showMoment(momentIn(m_bench->task()->preset));
+    m_bench->moment().show(momentIn(m_bench->task()->preset));
     QCOMPARE(m_bench->simulation().current(), qint64{3});
-    QVERIFY(!m_bench->ghost()); // events go on meanwhile
-    QTRY_VERIFY(m_bench->ghost());
-    QCOMPARE(m_bench->ghost()->circleCount(), m_bench->task()->preset.circles.size());
-    QVERIFY(m_bench->ghost()->last() > 600);
+    QVERIFY(!m_bench->moment().ghost()); // events go on meanwhile
+    QTRY_VERIFY(m_bench->moment().ghost());
+    QCOMPARE(m_bench->moment().ghost()->circleCount(), m_bench->task()->preset.circles.size());
+    QVERIFY(m_bench->moment().ghost()->last() > 600);
     // One moment's reference is not shown at another.
-    m_bench->showMoment(momentIn(m_bench->lab().tasks[1].preset));
-    QVERIFY(!m_bench->ghost());
-    QTRY_VERIFY(m_bench->ghost());
+    m_bench->moment().show(momentIn(m_bench->lab().tasks[1].preset));
+    QVERIFY(!m_bench->moment().ghost());
+    QTRY_VERIFY(m_bench->moment().ghost());
 }
 
 void TestOpenedSteps::referenceOfALeftMomentDoesNotCome()
 {
     m_bench->setMode(Mode::Code);
     m_bench->openTaskAt(0);
-    m_bench->showMoment(momentIn(m_bench->lab().tasks[1].preset));
+    m_bench->moment().show(momentIn(m_bench->lab().tasks[1].preset));
     QVERIFY(m_bench->document().isVisiting());
     m_bench->document().leave();
     QVERIFY(QThreadPool::globalInstance()->waitForDone(30'000));
     QCoreApplication::processEvents();
-    QVERIFY(!m_bench->ghost());
+    QVERIFY(!m_bench->moment().ghost());
 }
 
 QTEST_GUILESS_MAIN(TestOpenedSteps)

@@ -8145,6 +8145,23 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>cradle::CheckProgram</name>
+    <message>
+        <source>-- Returns true, or false and what is wrong.
+</source>
+        <translation>-- تعيد true، أو false وما الخطأ.
+</translation>
+    </message>
+    <message>
+        <source>Edit the program of a check</source>
+        <translation>تحرير برنامج فحص</translation>
+    </message>
+    <message>
+        <source>Program of the check</source>
+        <translation>برنامج الفحص</translation>
+    </message>
+</context>
+<context>
     <name>cradle::CheckRow</name>
     <message>
         <source>Show the moment ▸</source>
@@ -8169,23 +8186,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Show what was observed: %1</source>
         <translation>عرض ما لوحظ: ⁨%1⁩</translation>
-    </message>
-</context>
-<context>
-    <name>cradle::CheckProgram</name>
-    <message>
-        <source>-- Returns true, or false and what is wrong.
-</source>
-        <translation>-- تعيد true، أو false وما الخطأ.
-</translation>
-    </message>
-    <message>
-        <source>Edit the program of a check</source>
-        <translation>تحرير برنامج فحص</translation>
-    </message>
-    <message>
-        <source>Program of the check</source>
-        <translation>برنامج الفحص</translation>
     </message>
 </context>
 <context>
@@ -12701,6 +12701,13 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     </message>
 </context>
 <context>
+    <name>cradle::WaysBack</name>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>العودة إلى المشهد الذي اجتاز</translation>
+    </message>
+</context>
+<context>
     <name>cradle::WorkDialogs</name>
     <message>
         <source>Nothing of this work is kept on a disk.</source>
@@ -12840,10 +12847,6 @@ Your number:</source>
     <message>
         <source>Open a scene</source>
         <translation>فتح مشهد</translation>
-    </message>
-    <message>
-        <source>Back to the scene that passed</source>
-        <translation>العودة إلى المشهد الذي اجتاز</translation>
     </message>
 </context>
 <context>

@@ -8097,6 +8097,23 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>cradle::CheckProgram</name>
+    <message>
+        <source>-- Returns true, or false and what is wrong.
+</source>
+        <translation>-- Gibt true zurück, oder false und was falsch ist.
+</translation>
+    </message>
+    <message>
+        <source>Edit the program of a check</source>
+        <translation>Programm einer Prüfung ändern</translation>
+    </message>
+    <message>
+        <source>Program of the check</source>
+        <translation>Programm der Prüfung</translation>
+    </message>
+</context>
+<context>
     <name>cradle::CheckRow</name>
     <message>
         <source>Passed: %1</source>
@@ -8121,23 +8138,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message>
         <source>Show the moment</source>
         <translation>Moment zeigen</translation>
-    </message>
-</context>
-<context>
-    <name>cradle::CheckProgram</name>
-    <message>
-        <source>-- Returns true, or false and what is wrong.
-</source>
-        <translation>-- Gibt true zurück, oder false und was falsch ist.
-</translation>
-    </message>
-    <message>
-        <source>Edit the program of a check</source>
-        <translation>Programm einer Prüfung ändern</translation>
-    </message>
-    <message>
-        <source>Program of the check</source>
-        <translation>Programm der Prüfung</translation>
     </message>
 </context>
 <context>
@@ -12601,6 +12601,13 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
 </context>
 <context>
+    <name>cradle::WaysBack</name>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>Zurück zur Szene, die bestand</translation>
+    </message>
+</context>
+<context>
     <name>cradle::WorkDialogs</name>
     <message>
         <source>Nothing of this work is kept on a disk.</source>
@@ -12740,10 +12747,6 @@ Ihre Nummer:</translation>
     <message>
         <source>this is work in the lab %1, which is not here; open that lab once, and then the work</source>
         <translation>das ist Arbeit im Lab %1, das es hier nicht gibt; öffne einmal dieses Lab und dann die Arbeit</translation>
-    </message>
-    <message>
-        <source>Back to the scene that passed</source>
-        <translation>Zurück zur Szene, die bestand</translation>
     </message>
 </context>
 <context>

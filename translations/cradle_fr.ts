@@ -8097,6 +8097,23 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>cradle::CheckProgram</name>
+    <message>
+        <source>-- Returns true, or false and what is wrong.
+</source>
+        <translation>-- Renvoie true, ou false et ce qui ne va pas.
+</translation>
+    </message>
+    <message>
+        <source>Edit the program of a check</source>
+        <translation>Modifier le programme d&apos;une vérification</translation>
+    </message>
+    <message>
+        <source>Program of the check</source>
+        <translation>Programme de la vérification</translation>
+    </message>
+</context>
+<context>
     <name>cradle::CheckRow</name>
     <message>
         <source>Show the moment ▸</source>
@@ -8121,23 +8138,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Show what was observed: %1</source>
         <translation>Montrer ce qui a été observé&#xa0;: %1</translation>
-    </message>
-</context>
-<context>
-    <name>cradle::CheckProgram</name>
-    <message>
-        <source>-- Returns true, or false and what is wrong.
-</source>
-        <translation>-- Renvoie true, ou false et ce qui ne va pas.
-</translation>
-    </message>
-    <message>
-        <source>Edit the program of a check</source>
-        <translation>Modifier le programme d&apos;une vérification</translation>
-    </message>
-    <message>
-        <source>Program of the check</source>
-        <translation>Programme de la vérification</translation>
     </message>
 </context>
 <context>
@@ -12601,6 +12601,13 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
 </context>
 <context>
+    <name>cradle::WaysBack</name>
+    <message>
+        <source>Back to the scene that passed</source>
+        <translation>Revenir à la scène qui a réussi</translation>
+    </message>
+</context>
+<context>
     <name>cradle::WorkDialogs</name>
     <message>
         <source>Nothing of this work is kept on a disk.</source>
@@ -12740,10 +12747,6 @@ Votre numéro&#xa0;:</translation>
     <message>
         <source>Open a scene</source>
         <translation>Ouvrir une scène</translation>
-    </message>
-    <message>
-        <source>Back to the scene that passed</source>
-        <translation>Revenir à la scène qui a réussi</translation>
     </message>
 </context>
 <context>

@@ -50,10 +50,10 @@ inline void inCode(OpenWindow &open)
 /// Judges the program that is open and waits for the verdict.
 inline void check(OpenWindow &open)
 {
-    QSignalSpy ended(&open.bench, &Workbench::reportChanged);
-    open.bench.check();
+    QSignalSpy ended(&open.bench.check(), &WorkCheck::reported);
+    open.bench.check().start();
     QVERIFY(ended.wait(patience));
-    QTRY_VERIFY(!open.bench.awaitsRun());
+    QTRY_VERIFY(!open.bench.check().awaitsRun());
 }
 
 inline QByteArray content(const QString &path)

@@ -97,8 +97,9 @@ public:
     void check()
     {
         click(QStringLiteral("Check"));
-        QTRY_VERIFY_WITH_TIMEOUT(
-            bench.report() && !window.transportBar().isChecking() && !bench.awaitsRun(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.check().report() && !window.transportBar().isChecking()
+                                     && !bench.check().awaitsRun(),
+                                 60'000);
     }
 
     QSettings settings;

@@ -137,10 +137,10 @@ private:
     /// What was found is told anew in another language, and is of its own in each mode.
     void check()
     {
-        if (!m_open.bench.report() && !window().transportBar().isChecking())
-            m_open.bench.check();
-        QTRY_VERIFY_WITH_TIMEOUT(m_open.bench.report() && !window().transportBar().isChecking(),
-                                 60'000);
+        if (!m_open.bench.check().report() && !window().transportBar().isChecking())
+            m_open.bench.check().start();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_open.bench.check().report() && !window().transportBar().isChecking(), 60'000);
     }
 
     SpokenLanguage m_language;

@@ -120,13 +120,13 @@ void TestAuthorQuestions::studentAnswersWhatWasWritten()
     QLineEdit *line = field();
     line->setFocus();
     QTest::keyClicks(line, QStringLiteral("9.9 km/h"));
-    QCOMPARE(student.bench.answers().value(QStringLiteral("speed")),
+    QCOMPARE(student.bench.progress().answers().value(QStringLiteral("speed")),
              QJsonValue(QStringLiteral("9.9 km/h")));
-    student.bench.check();
-    QTRY_VERIFY_WITH_TIMEOUT(student.bench.report(), 60'000);
-    QCOMPARE(student.bench.report()->checks.back().message,
+    student.bench.check().start();
+    QTRY_VERIFY_WITH_TIMEOUT(student.bench.check().report(), 60'000);
+    QCOMPARE(student.bench.check().report()->checks.back().message,
              QStringLiteral("the number is right, but not in km/h"));
-    student.bench.save();
+    student.bench.progress().save();
     const QString kept =
         student.bench.code().workspace().folder() + QStringLiteral("/answers.json");
     QFile file(kept);

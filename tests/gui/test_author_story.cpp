@@ -222,16 +222,16 @@ void TestAuthorStory::oneStudentPasses()
     OpenWindow student(folder);
     dropLab(student, m_file, "4711");
     handIn(student, "RACK", utf8(story::rackSolution));
-    QVERIFY2(student.bench.report()->passed, qPrintable(student.bench.code().text()));
+    QVERIFY2(student.bench.check().report()->passed, qPrintable(student.bench.code().text()));
     // The number is on the page that he reads.
     const double k = valuesOf(m_author->files(), QStringLiteral("DRAG"), QStringLiteral("4711"))
                          .value(QStringLiteral("k"));
     handIn(student, "DRAG",
            utf8(story::dragSolution).replace(QStringLiteral("{{k}}"), QString::number(k)));
     QVERIFY(student.bench.task()->instructions.contains(QString::number(k)));
-    QVERIFY(student.bench.report()->passed);
+    QVERIFY(student.bench.check().report()->passed);
     handIn(student, "SPRING", utf8(story::springSolution));
-    QVERIFY(student.bench.report()->passed);
+    QVERIFY(student.bench.check().report()->passed);
     for (int step = 0; step < 3; ++step)
         QVERIFY(student.isTicked(step));
 }
@@ -244,24 +244,24 @@ void TestAuthorStory::anotherFailsWithTrueFindings()
     // His own words, with the faults that the author knew, and one that nobody thought of.
     const auto said = [&student] {
         QStringList headlines;
-        for (const Finding &finding : student.bench.report()->findings)
+        for (const Finding &finding : student.bench.check().report()->findings)
             headlines.append(finding.message.section(QLatin1Char('\n'), 0, 0));
         return headlines;
     };
     handIn(student, "RACK", utf8(story::rackOfAStudent));
-    QVERIFY(!student.bench.report()->passed);
+    QVERIFY(!student.bench.check().report()->passed);
     QCOMPARE(said(), QStringList{QStringLiteral("The balls swap all of their velocities")});
     QVERIFY(student.says(QStringLiteral("The balls swap all of their velocities")));
     const double k = valuesOf(m_author->files(), QStringLiteral("DRAG"), QStringLiteral("1234"))
                          .value(QStringLiteral("k"));
     handIn(student, "DRAG", utf8(story::dragOfAStudent).arg(2 * k));
-    QVERIFY(!student.bench.report()->passed);
-    QVERIFY2(!said().isEmpty(), qPrintable(student.bench.report()->checks.front().message));
+    QVERIFY(!student.bench.check().report()->passed);
+    QVERIFY2(!said().isEmpty(), qPrintable(student.bench.check().report()->checks.front().message));
     QCOMPARE(said(), QStringList{QStringLiteral(
                          "What acts on the velocity of circle 1 is 2 times as strong "
                          "as it should be")});
     handIn(student, "SPRING", utf8(story::springOfAStudent));
-    QVERIFY(!student.bench.report()->passed);
+    QVERIFY(!student.bench.check().report()->passed);
     QCOMPARE(said(), QStringList{QStringLiteral("Only one ball feels the spring")});
     for (int step = 0; step < 3; ++step)
         QVERIFY(!student.isTicked(step));

@@ -124,10 +124,10 @@ void TestAuthorWindow::labFromNothingToAStudentWhoPasses()
     student.bench.setMode(Mode::Code);
     QVERIFY(!student.bench.takeScript(*unpacked + QStringLiteral("/%1/starter.lua").arg(step)));
     student.check();
-    QVERIFY(!student.bench.report()->passed);
+    QVERIFY(!student.bench.check().report()->passed);
     QVERIFY(!student.bench.takeScript(*unpacked + QStringLiteral("/%1/solution.lua").arg(step)));
     student.check();
-    QVERIFY(student.bench.report()->passed);
+    QVERIFY(student.bench.check().report()->passed);
 }
 
 void TestAuthorWindow::stepsAreAddedRenamedMovedAndRemoved()

@@ -54,10 +54,10 @@ private:
     }
     void check()
     {
-        QSignalSpy ended(&m_open->bench, &Workbench::reportChanged);
-        m_open->bench.check();
+        QSignalSpy ended(&m_open->bench.check(), &WorkCheck::reported);
+        m_open->bench.check().start();
         QVERIFY(!ended.isEmpty() || ended.wait(30'000));
-        QTRY_VERIFY(!m_open->bench.awaitsRun());
+        QTRY_VERIFY(!m_open->bench.check().awaitsRun());
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -134,7 +134,7 @@ void TestCodeDesk::afreshIsWhatTheStepBeforeEndedWith()
     write(drift);
     m_open->bench.openNextTask();
     write(QStringLiteral("-- lost my way\n"));
-    m_open->bench.startAfresh();
+    m_open->bench.waysBack().startAfresh();
     QCOMPARE(editor().text(), drift);
 }
 
@@ -195,15 +195,15 @@ void TestCodeDesk::failureMarksItsLineAndShowsTheReference()
     write(
         QString(drift).replace(QStringLiteral("velocity * timestep"), QStringLiteral("velocity")));
     check();
-    QVERIFY(m_open->bench.report());
-    QVERIFY(!m_open->bench.report()->passed);
+    QVERIFY(m_open->bench.check().report());
+    QVERIFY(!m_open->bench.check().report()->passed);
     QCOMPARE(editor().suspectLine(), 6);
     QCOMPARE(simulation().current(), 1); // where it first went wrong
-    QTRY_VERIFY(m_open->bench.ghost());
-    QVERIFY(std::abs(m_open->bench.ghost()->circles(1)[0].position.x - (-2.0 + 2.0 / 60.0))
+    QTRY_VERIFY(m_open->bench.moment().ghost());
+    QVERIFY(std::abs(m_open->bench.moment().ghost()->circles(1)[0].position.x - (-2.0 + 2.0 / 60.0))
             < 1e-12);
     m_open->bench.code().edit(drift);
-    QVERIFY(!m_open->bench.ghost());
+    QVERIFY(!m_open->bench.moment().ghost());
 }
 
 void TestCodeDesk::solutionIsShownAfterPassing()
@@ -213,7 +213,7 @@ void TestCodeDesk::solutionIsShownAfterPassing()
     QVERIFY(!pane.isSolutionShown());
     write(drift);
     check();
-    QVERIFY(m_open->bench.report()->passed);
+    QVERIFY(m_open->bench.check().report()->passed);
     m_open->click(QStringLiteral("Compare with the reference"));
     QVERIFY(pane.isSolutionShown());
     m_open->bench.openNextTask();
@@ -222,9 +222,10 @@ void TestCodeDesk::solutionIsShownAfterPassing()
 
 void TestCodeDesk::solutionIsShownAfterAllHints()
 {
-    QVERIFY(!m_open->bench.mayShowSolution());
-    m_open->bench.setHintsOpened(static_cast<int>(m_open->bench.task()->codeHints.size()));
-    QVERIFY(m_open->bench.mayShowSolution());
+    QVERIFY(!m_open->bench.progress().mayShowSolution());
+    m_open->bench.progress().setHintsOpened(
+        static_cast<int>(m_open->bench.task()->codeHints.size()));
+    QVERIFY(m_open->bench.progress().mayShowSolution());
 }
 
 void TestCodeDesk::modesHaveTheirTexts()

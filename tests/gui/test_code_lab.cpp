@@ -63,10 +63,10 @@ void TestCodeLab::type(const QString &program)
 
 void TestCodeLab::check()
 {
-    QSignalSpy ended(&m_open->bench, &Workbench::reportChanged);
+    QSignalSpy ended(&m_open->bench.check(), &WorkCheck::reported);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return, Qt::ControlModifier);
     QVERIFY2(!ended.isEmpty() || ended.wait(30'000), qPrintable(m_open->bench.code().text()));
-    QTRY_VERIFY(!m_open->bench.awaitsRun());
+    QTRY_VERIFY(!m_open->bench.check().awaitsRun());
 }
 
 void TestCodeLab::solutionsPassWhenTyped_data()
@@ -87,13 +87,13 @@ void TestCodeLab::solutionsPassWhenTyped()
         [](const QString &line) { return line.trimmed().startsWith(QLatin1String("--")); });
     type(lines.join(QLatin1Char('\n')));
     check();
-    QVERIFY(m_open->bench.report());
-    const CheckReport &report = *m_open->bench.report();
+    QVERIFY(m_open->bench.check().report());
+    const CheckReport &report = *m_open->bench.check().report();
     QVERIFY2(!report.error, report.error ? qPrintable(report.error->message) : "");
     QVERIFY(report.passed);
     QVERIFY(!report.diagnosis());
     QVERIFY(m_open->isTicked(m_open->bench.current()));
-    QVERIFY(m_open->bench.mayShowSolution());
+    QVERIFY(m_open->bench.progress().mayShowSolution());
 }
 
 void TestCodeLab::mistakesAreRecognised_data()
@@ -119,8 +119,8 @@ void TestCodeLab::mistakesAreRecognised()
     const KnownScript known = m_open->bench.task()->mistakes[static_cast<std::size_t>(mistake)];
     m_open->bench.code().replace(known.source);
     check();
-    QVERIFY(m_open->bench.report());
-    const CheckReport &report = *m_open->bench.report();
+    QVERIFY(m_open->bench.check().report());
+    const CheckReport &report = *m_open->bench.check().report();
     QVERIFY(!report.passed);
     QVERIFY2(report.diagnosis(), "no diagnosis");
     QCOMPARE(report.diagnosis()->mistake, known.name);

@@ -39,7 +39,7 @@ void TestEnding::passingAllStepsTellsTheStory()
     inCode(open);
     QStringList story;
     int endings = 0;
-    connect(&open.bench, &Workbench::labFinished, this, [&endings] { ++endings; });
+    connect(&open.bench.check(), &WorkCheck::labFinished, this, [&endings] { ++endings; });
     const int last = static_cast<int>(open.bench.lab().tasks.size()) - 1;
     for (int i = 0; i <= last; ++i) {
         open.bench.openTaskAt(i);
@@ -48,12 +48,12 @@ void TestEnding::passingAllStepsTellsTheStory()
         if (i == hard) {
             type(open, open.bench.task()->mistakes.front().source);
             check(open);
-            QVERIFY(!open.bench.report()->passed);
+            QVERIFY(!open.bench.check().report()->passed);
         }
         type(open, open.bench.task()->solution);
         check(open);
-        QVERIFY2(open.bench.report()->passed, qPrintable(open.bench.task()->id));
-        story.prepend(open.bench.report()->commit);
+        QVERIFY2(open.bench.check().report()->passed, qPrintable(open.bench.task()->id));
+        story.prepend(open.bench.check().report()->commit);
         QCOMPARE(open.window.findChild<ReportDialog *>() != nullptr, i == last);
     }
     QCOMPARE(endings, 1);

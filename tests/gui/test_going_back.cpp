@@ -41,10 +41,10 @@ void TestGoingBack::versionsComeAndGoBack()
     const QString solution = open.bench.task()->solution;
     type(open, solution);
     check(open);
-    QVERIFY(open.bench.report()->passed);
+    QVERIFY(open.bench.check().report()->passed);
     type(open, solution + QStringLiteral("\nerror('broken')\n"));
     check(open);
-    QVERIFY(!open.bench.report()->passed);
+    QVERIFY(!open.bench.check().report()->passed);
     auto *list = open.window.versions().findChild<QTreeWidget *>();
     QCOMPARE(list->topLevelItemCount(), 2);
     QVERIFY(list->topLevelItem(0)->text(1).contains(QStringLiteral("not passed")));
@@ -74,7 +74,7 @@ void TestGoingBack::passedStepOutlivesATrial()
         solution = open.bench.task()->solution;
         type(open, solution);
         check(open);
-        QVERIFY(open.bench.report()->passed);
+        QVERIFY(open.bench.check().report()->passed);
         QString trial = solution;
         trial.replace(QStringLiteral("restitution = 0.75"), QStringLiteral("restitution = 0.9"));
         QVERIFY(trial != solution);
@@ -103,7 +103,7 @@ void TestGoingBack::passedStepOutlivesATrial()
     back->click();
     QCOMPARE(open.bench.code().text(), solution);
     check(open);
-    QVERIFY(open.bench.report()->passed);
+    QVERIFY(open.bench.check().report()->passed);
 }
 
 /// More versions came after the pass than are shown.
@@ -141,7 +141,7 @@ void TestGoingBack::passedSceneOutlivesATrial()
         passed = open.solution();
         open.bench.document().edit(QStringLiteral("Scene"), passed);
         check(open);
-        QVERIFY(open.bench.report()->passed);
+        QVERIFY(open.bench.check().report()->passed);
         QVERIFY(!open.button(name));
         Preset trial = passed;
         trial.restitution = 0.9;
@@ -157,7 +157,7 @@ void TestGoingBack::passedSceneOutlivesATrial()
     QVERIFY(open.preset() == passed);
     QVERIFY(!open.button(name));
     check(open);
-    QVERIFY(open.bench.report()->passed);
+    QVERIFY(open.bench.check().report()->passed);
     open.bench.document().undoStack().undo();
     QCOMPARE(open.preset().restitution, 0.9);
     QVERIFY(open.button(name));

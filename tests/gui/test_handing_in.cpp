@@ -55,12 +55,12 @@ void TestHandingIn::handedInWorkIsLookedAt()
     QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
     inCode(teacher);
     QCOMPARE(teacher.bench.code().text(), QStringLiteral("-- mine\n"));
-    QVERIFY(!teacher.bench.mayWrite());
+    QVERIFY(!teacher.bench.code().workspace().mayWrite());
     QCOMPARE(teacher.window.versions().findChild<QTreeWidget *>()->topLevelItemCount(), 1);
     QVERIFY(teacher.window.codePane().editor().isReadOnly());
     QVERIFY(teacher.window.notice().text().contains(QStringLiteral("Work that Ada handed in")));
     check(teacher);
-    QVERIFY(!teacher.bench.report()->passed);
+    QVERIFY(!teacher.bench.check().report()->passed);
     QCOMPARE(teacher.window.versions().findChild<QTreeWidget *>()->topLevelItemCount(), 1);
     // Nothing of the teacher's own was touched by that.
     QVERIFY(!QFile::exists(teachersHome.filePath(QStringLiteral("programs/lab-4.2/steps"))));
@@ -102,13 +102,13 @@ void TestHandingIn::whatWasExpectedIsHandedIn()
         inCode(student);
         student.bench.openTask(asked);
         type(student, QStringLiteral("-- mine\n"));
-        student.bench.predict(1);
+        student.bench.progress().predict(1);
         student.bench.setMode(Mode::Explore);
         student.bench.openTaskAt(0);
         student.bench.document().edit(QStringLiteral("Scene"), student.solution());
         scene = student.preset();
         check(student);
-        QVERIFY(student.bench.report()->passed);
+        QVERIFY(student.bench.check().report()->passed);
         HandInDialog dialog(student.bench);
         QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
         dialog.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("It was\nhard."));
@@ -124,8 +124,8 @@ void TestHandingIn::whatWasExpectedIsHandedIn()
     QVERIFY(teacher.preset() == scene);
     QVERIFY(!teacher.isTicked(0)); // what it says of itself is not believed
     teacher.bench.openTask(asked);
-    QCOMPARE(teacher.bench.guess().answer, std::optional(1));
-    QVERIFY(teacher.bench.guess().revealed);
+    QCOMPARE(teacher.bench.progress().guess().answer, std::optional(1));
+    QVERIFY(teacher.bench.progress().guess().revealed);
 }
 
 void TestHandingIn::nothingOlderIsHandedIn()

@@ -145,7 +145,7 @@ void TestKeeping::nameIsAskedOnce()
     inCode(open);
     type(open, open.bench.task()->solution);
     check(open);
-    QVERIFY(open.bench.report()->passed);
+    QVERIFY(open.bench.check().report()->passed);
     QVERIFY(open.button(offer));
     QTimer::singleShot(0, &open.window, [&open] {
         auto *dialog = open.window.findChild<QInputDialog *>();

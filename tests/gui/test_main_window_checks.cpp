@@ -44,7 +44,7 @@ void TestMainWindowChecks::failedCheckShowsTheMomentAndTheWayBack()
     wrong.laws.circles = CircleLaw::SwapVelocities;
     QVERIFY(m_open->bench.document().edit(QStringLiteral("wrong"), wrong));
     m_open->check();
-    const CheckReport report = *m_open->bench.report();
+    const CheckReport report = *m_open->bench.check().report();
     const auto failed =
         std::find_if(report.checks.begin(), report.checks.end(), [&](const CheckOutcome &check) {
             return !check.passed && check.variant != QLatin1String("preset");
@@ -105,7 +105,8 @@ void TestMainWindowChecks::editDuringTheCheckMakesItStale()
     solved.circles[0].body.velocity = {-2.0, 0.0};
     m_open->bench.document().edit(QStringLiteral("spoil"), solved);
     QTRY_VERIFY(!m_open->window.transportBar().isChecking());
-    QVERIFY(!m_open->bench.report() || m_open->says(QStringLiteral("Changed since this check")));
+    QVERIFY(!m_open->bench.check().report()
+            || m_open->says(QStringLiteral("Changed since this check")));
 }
 
 void TestMainWindowChecks::checkIsStopped()
@@ -115,9 +116,9 @@ void TestMainWindowChecks::checkIsStopped()
     QVERIFY(m_open->window.transportBar().isChecking());
     m_open->click(QStringLiteral("Stop"));
     QVERIFY(!m_open->window.transportBar().isChecking());
-    QTRY_VERIFY(!m_open->bench.isChecking());
+    QTRY_VERIFY(!m_open->bench.check().isRunning());
     QCoreApplication::processEvents();
-    QVERIFY(!m_open->bench.report());
+    QVERIFY(!m_open->bench.check().report());
     QVERIFY(m_open->says(QStringLiteral("Press Check")));
 }
 
@@ -126,9 +127,9 @@ void TestMainWindowChecks::stepLeftDuringTheCheckKeepsItsVerdict()
     m_open->click(QStringLiteral("Check"));
     m_open->bench.openNextTask();
     QVERIFY(!m_open->window.transportBar().isChecking());
-    QTRY_VERIFY(!m_open->bench.isChecking());
+    QTRY_VERIFY(!m_open->bench.check().isRunning());
     QCoreApplication::processEvents();
-    QVERIFY(!m_open->bench.report());
+    QVERIFY(!m_open->bench.check().report());
     QVERIFY(!m_open->window.transportBar().isChecking());
 }
 

@@ -59,12 +59,12 @@ void TestMainWindowLab::firstStartShowsStepOnePaused()
 void TestMainWindowLab::firstStepIsSolvedByTyping()
 {
     m_open->check();
-    QVERIFY(!m_open->bench.report()->passed);
+    QVERIFY(!m_open->bench.check().report()->passed);
     QVERIFY(!m_open->isTicked(0));
     m_open->typeCell(0, CircleTableModel::VelocityX, QStringLiteral("2"));
     QVERIFY(m_open->says(QStringLiteral("Changed since this check")));
     m_open->check();
-    QVERIFY(m_open->bench.report()->passed);
+    QVERIFY(m_open->bench.check().report()->passed);
     QVERIFY(m_open->says(QStringLiteral("Passed: all 3 checks")));
     QVERIFY(m_open->says(QStringLiteral("L42T1 Set my circle moving off to the right")));
     QVERIFY(m_open->isTicked(0));
@@ -80,12 +80,12 @@ void TestMainWindowLab::passCountsWhenItsRunIsShown()
 {
     QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
     std::vector<bool> atVerdict;
-    connect(&m_open->bench, &Workbench::reportChanged, this, [&] {
-        atVerdict = m_open->bench.passed();
+    connect(&m_open->bench.check(), &WorkCheck::reported, this, [&] {
+        atVerdict = m_open->bench.progress().passed();
         QVERIFY(m_open->simulation().atStart());
     });
     m_open->check();
-    QVERIFY(m_open->bench.report()->passed);
+    QVERIFY(m_open->bench.check().report()->passed);
     QVERIFY(!atVerdict.empty() && !atVerdict.front());
     // Check itself plays what it passed; with that the step counts.
     QVERIFY(m_open->simulation().isRunning());
@@ -100,8 +100,8 @@ void TestMainWindowLab::passOfWorkThatWasSeenCountsAtOnce()
     m_open->simulation().stepForward();
     m_open->simulation().restart();
     bool atVerdict = false;
-    connect(&m_open->bench, &Workbench::reportChanged, this,
-            [&] { atVerdict = m_open->bench.passed().front(); });
+    connect(&m_open->bench.check(), &WorkCheck::reported, this,
+            [&] { atVerdict = m_open->bench.progress().passed().front(); });
     m_open->check();
     QVERIFY(atVerdict);
     QVERIFY(!m_open->simulation().isRunning());
@@ -113,19 +113,19 @@ void TestMainWindowLab::seenRunOfOtherWorkDoesNotCount()
     m_open->simulation().stepForward();
     QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
     QVERIFY(m_open->simulation().atStart());
-    m_open->bench.check();
+    m_open->bench.check().start();
     // The work is changed before the verdict comes: what is shown later is not what was judged.
     Preset other = m_open->solution();
     other.circles.front().body.velocity.x *= 1.5;
     QVERIFY(m_open->bench.document().edit(QStringLiteral("other"), other));
-    QTRY_VERIFY_WITH_TIMEOUT(m_open->bench.report(), 60'000);
-    QVERIFY(m_open->bench.report()->passed && m_open->bench.awaitsRun());
+    QTRY_VERIFY_WITH_TIMEOUT(m_open->bench.check().report(), 60'000);
+    QVERIFY(m_open->bench.check().report()->passed && m_open->bench.check().awaitsRun());
     QVERIFY(m_open->says(QStringLiteral("as soon as the run")));
     m_open->simulation().stepForward();
-    QVERIFY(!m_open->bench.passed().front());
+    QVERIFY(!m_open->bench.progress().passed().front());
     m_open->bench.document().undoStack().undo();
     m_open->simulation().stepForward();
-    QVERIFY(m_open->bench.passed().front());
+    QVERIFY(m_open->bench.progress().passed().front());
     QVERIFY(!m_open->says(QStringLiteral("as soon as the run")));
 }
 
@@ -135,7 +135,7 @@ void TestMainWindowLab::allStepsAreSolved()
         QCOMPARE(m_open->bench.current(), step);
         QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
         m_open->check();
-        QVERIFY2(m_open->bench.report()->passed, qPrintable(m_open->bench.task()->id));
+        QVERIFY2(m_open->bench.check().report()->passed, qPrintable(m_open->bench.task()->id));
         QVERIFY(m_open->isTicked(step));
         if (step < 16)
             m_open->click(QStringLiteral("Next step"));
@@ -159,14 +159,14 @@ void TestMainWindowLab::progressSurvivesClosingAndReopening()
     QCOMPARE(m_open->bench.current(), 1);
     QVERIFY(m_open->preset() == edited);
     QVERIFY(m_open->isTicked(0) && !m_open->isTicked(1));
-    QCOMPARE(m_open->bench.hintsOpened(), 1);
+    QCOMPARE(m_open->bench.progress().hintsOpened(), 1);
     QVERIFY(m_open->button(QStringLiteral("Hint 2")));
     QVERIFY2(m_open->window.notice().isHidden(), "this is not the first start");
     m_open->bench.openTaskAt(0);
     QCOMPARE(m_open->preset().circles[0].body.velocity.x, 2.0);
     // The verdict is kept with its time and the commit message.
     QVERIFY(m_open->says(QStringLiteral("You have passed this step")));
-    const QDateTime when = m_open->bench.pass().when;
+    const QDateTime when = m_open->bench.progress().pass().when;
     QVERIFY(std::abs(when.secsTo(QDateTime::currentDateTimeUtc())) < 300);
     QVERIFY(
         m_open->says(when.toLocalTime().toString(QStringLiteral("'on 'yyyy-MM-dd' at 'HH:mm"))));

@@ -60,16 +60,16 @@ void TestMainWindowPrediction::answerIsKeptBetweenStarts()
     higher->setFocus();
     QTest::keyClick(higher, Qt::Key_Space);
     QVERIFY(!m_open->simulation().isRunning()); // the key was the answer's
-    QVERIFY(m_open->bench.guess() == Guess{.answer = 0});
+    QVERIFY(m_open->bench.progress().guess() == Guess{.answer = 0});
     QTest::keyClick(higher, Qt::Key_Space);
     QVERIFY(m_open->simulation().isRunning()); // the answer has no use for it any more
     m_open->simulation().pause();
     reopen();
     QCOMPARE(m_open->bench.task()->id, QStringLiteral("L42T5"));
-    QVERIFY(m_open->bench.guess() == Guess{.answer = 0});
+    QVERIFY(m_open->bench.progress().guess() == Guess{.answer = 0});
     QVERIFY(answer(QStringLiteral("higher than circle 1"))->isChecked());
     open("L42T10");
-    QVERIFY(m_open->bench.guess() == Guess{});
+    QVERIFY(m_open->bench.progress().guess() == Guess{});
 }
 
 void TestMainWindowPrediction::runIsNotBlockedAndTheQuestionStays()
@@ -81,10 +81,10 @@ void TestMainWindowPrediction::runIsNotBlockedAndTheQuestionStays()
     QTRY_VERIFY(m_open->says(QStringLiteral("The scene has run already. What did you expect?")));
     m_open->press(Qt::Key_Space);
     m_open->click(QStringLiteral("lower than circle 1"));
-    QVERIFY(m_open->bench.guess() == (Guess{.answer = 2, .watched = true}));
+    QVERIFY(m_open->bench.progress().guess() == (Guess{.answer = 2, .watched = true}));
     QVERIFY(!m_open->says(QStringLiteral("You predicted")));
     reopen();
-    QVERIFY(m_open->bench.guess() == (Guess{.answer = 2, .watched = true}));
+    QVERIFY(m_open->bench.progress().guess() == (Guess{.answer = 2, .watched = true}));
 }
 
 void TestMainWindowPrediction::anyMovementOfTheSceneCounts_data()
@@ -98,12 +98,12 @@ void TestMainWindowPrediction::anyMovementOfTheSceneCounts()
 {
     QFETCH(int, key);
     open("L42T10");
-    QVERIFY(!m_open->bench.guess().watched);
+    QVERIFY(!m_open->bench.progress().guess().watched);
     m_open->press(key);
-    QTRY_VERIFY(m_open->bench.guess().watched);
+    QTRY_VERIFY(m_open->bench.progress().guess().watched);
     // The scene of another step stands at its start.
     open("L42T11");
-    QVERIFY(!m_open->bench.guess().watched);
+    QVERIFY(!m_open->bench.progress().guess().watched);
 }
 
 void TestMainWindowPrediction::outcomeIsShownOnRequest()
@@ -123,7 +123,7 @@ void TestMainWindowPrediction::passingTheCheckShowsTheOutcome()
     m_open->click(QStringLiteral("at x = 0"));
     QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
     m_open->check();
-    QVERIFY(m_open->bench.report()->passed);
+    QVERIFY(m_open->bench.check().report()->passed);
     QVERIFY(m_open->says(QStringLiteral("✓ You predicted: at x = 0")));
     QTRY_VERIFY(!card()->visibleRegion().isEmpty());
 }
@@ -132,7 +132,7 @@ void TestMainWindowPrediction::failingTheCheckDoesNot()
 {
     m_open->click(QStringLiteral("at x = 2 m"));
     m_open->check();
-    QVERIFY(!m_open->bench.report()->passed);
+    QVERIFY(!m_open->bench.check().report()->passed);
     QVERIFY(!m_open->says(QStringLiteral("You predicted")));
     QVERIFY(answer(QStringLiteral("at x = 2 m"))->isChecked());
 }
@@ -142,7 +142,7 @@ void TestMainWindowPrediction::bothModesShareTheAnswer()
     open("L42T12");
     m_open->click(QStringLiteral("Not sure"));
     m_open->bench.setMode(Mode::Code);
-    QCOMPARE(m_open->bench.guess().answer, std::optional<int>(Guess::notSure));
+    QCOMPARE(m_open->bench.progress().guess().answer, std::optional<int>(Guess::notSure));
     QVERIFY(answer(QStringLiteral("Not sure"))->isChecked());
 }
 
@@ -152,7 +152,7 @@ void TestMainWindowPrediction::sceneWithoutAStepAsksNothing()
     QVERIFY(!m_open->bench.openPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
     QVERIFY(!card()->isVisible());
     m_open->press(Qt::Key_Right);
-    QVERIFY(m_open->bench.guess() == Guess{});
+    QVERIFY(m_open->bench.progress().guess() == Guess{});
     const QString plain = m_folder->filePath(QStringLiteral("plain"));
     const LabFiles lab = newLab(QStringLiteral("lab"), QStringLiteral("Lab"), {});
     QVERIFY(!saveLabFiles(lab, {}, plain));
