@@ -1,33 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/author_window.h"
+#include "app/author_files.h"
 
+#include "app/author_notices.h"
+#include "app/author_panes.h"
 #include "app/lab_drop.h"
 #include "app/new_folder_dialog.h"
-#include "app/notice_bar.h"
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/student_edition.h"
 #include "tasks/reading/lab_archive.h"
-#include "views/author/checks_tab.h"
+#include "views/author/author_document.h"
 #include "views/author/difference_dialog.h"
-#include "views/author/figure.h"
 #include "views/author/lab_dialog.h"
-#include "views/author/scene_tab.h"
-#include "views/author/text_tab.h"
-#include "views/scene/scene_view.h"
-#include "views/theme.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLineEdit>
-#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 
 namespace cradle {
-
-// Dialogs of the window, and what they lead to.
 
 namespace {
 
@@ -35,12 +28,38 @@ constexpr int mostFaults = 8; ///< that a question tells
 
 } // namespace
 
-void AuthorWindow::newLab()
+AuthorFiles::AuthorFiles(AuthorDocument &document, const AuthorPanes &panes, AuthorNotices &notices,
+                         QWidget &window)
+    : m_document(document)
+    , m_panes(panes)
+    , m_notices(notices)
+    , m_window(window)
+{
+    connect(&notices, &AuthorNotices::copyRequested, this, &AuthorFiles::saveAs);
+    connect(&notices, &AuthorNotices::reloadRequested, this, &AuthorFiles::reload);
+    connect(&notices, &AuthorNotices::unsavedLabRequested, this, [this] {
+        if (mayDiscard())
+            m_document.openUnsavedDraft();
+    });
+    // Queued: what is not saved is asked about when the drag is over.
+    connect(new LabDrop(&window), &LabDrop::dropped, this, &AuthorFiles::openDropped,
+            Qt::QueuedConnection);
+}
+
+std::optional<Error> AuthorFiles::open(const QString &folder)
+{
+    auto error = m_document.open(folder);
+    if (!error && m_document.hasUnsavedDraft())
+        m_notices.offerUnsavedLab();
+    return error;
+}
+
+void AuthorFiles::newLab()
 {
     if (!mayDiscard())
         return;
     bool ok = false;
-    const QString title = QInputDialog::getText(this, tr("New lab"), tr("Title of the lab:"),
+    const QString title = QInputDialog::getText(&m_window, tr("New lab"), tr("Title of the lab:"),
                                                 QLineEdit::Normal, tr("My lab"), &ok)
                               .trimmed();
     if (!ok || title.isEmpty())
@@ -48,66 +67,71 @@ void AuthorWindow::newLab()
     m_document.begin(cradle::newLab(nameFrom(title), title, m_document.language()));
 }
 
-void AuthorWindow::openLab()
+void AuthorFiles::openFolder()
 {
     if (!mayDiscard())
         return;
-    openPath(QFileDialog::getExistingDirectory(this, tr("Open a lab's folder")));
+    openPath(QFileDialog::getExistingDirectory(&m_window, tr("Open a lab's folder")));
 }
 
-void AuthorWindow::openLabFile()
+void AuthorFiles::openFile()
 {
     if (mayDiscard())
-        openPath(QFileDialog::getOpenFileName(this, tr("Open a lab in one file"), {},
+        openPath(QFileDialog::getOpenFileName(&m_window, tr("Open a lab in one file"), {},
                                               tr("Labs (*.cradle);;All files (*)")));
 }
 
-void AuthorWindow::openDropped(const QString &path)
+void AuthorFiles::openDropped(const QString &path)
 {
     if (mayDiscard())
         openPath(path);
 }
 
 /// A folder, or one file; an empty path is none.
-void AuthorWindow::openPath(const QString &path)
+void AuthorFiles::openPath(const QString &path)
 {
     if (path.isEmpty())
         return;
-    const Result<QString> folder = labFolder(path, this);
+    const Result<QString> folder = labFolder(path, &m_window);
     if (!folder)
-        report(folder.error());
+        m_notices.report(folder.error());
     else if (folder->isEmpty())
         return;
     else if (const auto error = open(*folder))
-        report(*error);
+        m_notices.report(*error);
 }
 
-bool AuthorWindow::save()
+bool AuthorFiles::save()
 {
     if (m_document.folder().isEmpty() || m_document.isReadOnly())
         return saveAs();
     return saveInto(false);
 }
 
-bool AuthorWindow::saveInto(bool overwrite)
+bool AuthorFiles::saveInto(bool overwrite)
 {
     const auto error = m_document.save(overwrite);
     if (!error) {
         tellRefused();
         return true;
     }
-    if (overwrite || changedOnDisk(m_document.onDisk(), m_document.folder()).isEmpty()) {
-        report(*error);
-        return false;
-    }
+    if (!overwrite && !changedOnDisk(m_document.onDisk(), m_document.folder()).isEmpty())
+        return settleWithTheirs(*error);
+    m_notices.report(*error);
+    return false;
+}
+
+/// Another program was faster: shows what it changed, and asks which is to stay.
+bool AuthorFiles::settleWithTheirs(const Error &error)
+{
     const Result<LabFiles> theirs = readLabFiles(m_document.folder());
     if (!theirs) {
-        report(theirs.error());
+        m_notices.report(theirs.error());
         return false;
     }
     // What they changed, and nothing of what only waits to be saved.
     const LabFiles merged = withTheirs(m_document.files(), m_document.onDisk(), *theirs);
-    DifferenceDialog dialog(error->message, m_document.files(), merged, this);
+    DifferenceDialog dialog(error.message, m_document.files(), merged, &m_window);
     enum { ReplaceTheirs = 1, TakeTheirs };
     dialog.addChoice(tr("Replace with mine"), ReplaceTheirs);
     dialog.addChoice(tr("Take theirs"), TakeTheirs);
@@ -116,70 +140,69 @@ bool AuthorWindow::saveInto(bool overwrite)
         return saveInto(true);
     if (choice == TakeTheirs) {
         if (const auto unread = m_document.takeTheirs()) {
-            report(*unread);
+            m_notices.report(*unread);
             return false;
         }
-        m_notice->clearNotice(); // that something changed
+        m_notices.clear(); // that something changed
         return saveInto(false);
     }
     return false;
 }
 
 /// Takes the folder's files. What is not saved would go with that, so it asks first.
-void AuthorWindow::reload()
+void AuthorFiles::reload()
 {
     const Result<LabFiles> theirs = readLabFiles(m_document.folder());
     if (m_document.isModified() && theirs && *theirs != m_document.files()) {
         DifferenceDialog dialog(tr("You have changes that are not saved. If you take the files of "
                                    "the folder instead, Undo brings yours back."),
-                                m_document.files(), *theirs, this);
+                                m_document.files(), *theirs, &m_window);
         dialog.addChoice(tr("Take theirs"), 1);
         if (dialog.exec() != 1) {
-            offerReload(
+            m_notices.offerReload(
                 changedOnDisk(m_document.onDisk(), m_document.folder()).join(QStringLiteral(", ")));
             return;
         }
     }
     if (const auto error = m_document.reload())
-        report(*error);
+        m_notices.report(*error);
 }
 
 /// What is typed and is no value is not in the lab, and so not in what was saved.
-void AuthorWindow::tellRefused()
+void AuthorFiles::tellRefused()
 {
-    const QStringList fields = refused();
+    const QStringList fields = m_panes.refused();
     if (!fields.isEmpty())
-        m_notice->showNotice(tr("Saved, but for fields that hold no value yet: %1")
-                                 .arg(fields.join(QStringLiteral(", "))));
+        m_notices.say(tr("Saved, but for fields that hold no value yet: %1")
+                          .arg(fields.join(QStringLiteral(", "))));
 }
 
-bool AuthorWindow::saveAs()
+bool AuthorFiles::saveAs()
 {
     // What was never saved has no other copy yet.
     LabFiles files = m_document.files();
     if (!m_document.folder().isEmpty() && labForm(files)) {
-        LabDialog naming(m_document, LabDialog::Purpose::Copy, this);
+        LabDialog naming(m_document, LabDialog::Purpose::Copy, &m_window);
         if (naming.exec() != QDialog::Accepted)
             return false;
         files = naming.copy();
     }
     const Result<LabForm> lab = labForm(files);
-    NewFolderDialog dialog(this, tr("A new or empty folder for the lab"));
+    NewFolderDialog dialog(&m_window, tr("A new or empty folder for the lab"));
     dialog.setLabelText(QFileDialog::FileName, tr("Folder:"));
     dialog.selectFile(nameFrom(lab ? lab->title : m_document.title()));
     if (dialog.exec() != QDialog::Accepted)
         return false;
     if (const auto error = m_document.saveCopy(dialog.folder(), files)) {
-        report(*error);
+        m_notices.report(*error);
         return false;
     }
-    m_notice->clearNotice();
-    m_offer = Offer::None;
+    m_notices.clear();
     return true;
 }
 
 /// Who exports a lab of which something cannot be read should know that.
-bool AuthorWindow::mayExport()
+bool AuthorFiles::mayExport()
 {
     m_document.readNow();
     QStringList faults;
@@ -192,7 +215,7 @@ bool AuthorWindow::mayExport()
     QMessageBox box(QMessageBox::Warning, tr("Not all of it can be read"),
                     tr("Students will not find what cannot be read:") + QStringLiteral("\n\n")
                         + QStringList(faults.mid(0, mostFaults)).join(QLatin1Char('\n')),
-                    QMessageBox::Cancel, this);
+                    QMessageBox::Cancel, &m_window);
     box.setTextFormat(Qt::PlainText);
     QPushButton *go = box.addButton(tr("Export anyway"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
@@ -200,141 +223,69 @@ bool AuthorWindow::mayExport()
     return box.clickedButton() == go;
 }
 
-/// \return an empty path if none was chosen
-QString AuthorWindow::askExportPath(const QString &title, const QString &name)
+QString AuthorFiles::exportTo(const LabFiles &files, const QString &title, const QString &name)
 {
-    QString path = QFileDialog::getSaveFileName(this, title, name + QLatin1String(archiveSuffix),
-                                                tr("Labs (*.cradle);;All files (*)"), nullptr,
-                                                QFileDialog::DontUseNativeDialog);
-    if (!path.isEmpty() && !isLabArchive(path) && QFileInfo(path).suffix().isEmpty())
+    QString path = QFileDialog::getSaveFileName(
+        &m_window, title, name + QLatin1String(archiveSuffix), tr("Labs (*.cradle);;All files (*)"),
+        nullptr, QFileDialog::DontUseNativeDialog);
+    if (path.isEmpty())
+        return {};
+    if (!isLabArchive(path) && QFileInfo(path).suffix().isEmpty())
         path += QLatin1String(archiveSuffix);
-    return path;
+    const auto error = cradle::exportLab(files, path);
+    if (error)
+        m_notices.report(*error);
+    return error ? QString() : path;
 }
 
 /// What students are to find for themselves stays here; what that costs them is said.
-void AuthorWindow::exportForStudents()
+void AuthorFiles::exportForStudents()
 {
     if (!mayExport())
         return;
     const Result<StudentEdition> edition = studentEdition(m_document.files());
     if (!edition) {
-        report(edition.error());
+        m_notices.report(edition.error());
         return;
     }
-    const QString path =
-        askExportPath(tr("Export the lab for students"),
-                      nameFrom(m_document.lab().title) + QStringLiteral("-students"));
+    const QString path = exportTo(edition->files, tr("Export the lab for students"),
+                                  nameFrom(m_document.lab().title) + QStringLiteral("-students"));
     if (path.isEmpty())
         return;
-    if (const auto error = cradle::exportLab(edition->files, path)) {
-        report(*error);
-        return;
-    }
-    m_offer = Offer::None;
     QString said =
         tr("Exported without %n file(s) that are yours: %1", nullptr, edition->left).arg(path);
     if (!edition->unexplained.isEmpty())
         said += QStringLiteral(". ")
                 + tr("In %1 students are told what checks saw, and not which law is wrong.")
                       .arg(edition->unexplained.join(QStringLiteral(", ")));
-    m_notice->showNotice(said);
+    m_notices.say(said);
 }
 
-void AuthorWindow::exportLab()
+void AuthorFiles::exportLab()
 {
     if (!mayExport())
         return;
-    const QString path =
-        askExportPath(tr("Export the lab as one file"), nameFrom(m_document.lab().title));
-    if (path.isEmpty())
-        return;
-    if (const auto error = cradle::exportLab(m_document.files(), path)) {
-        report(*error);
-        return;
-    }
-    m_offer = Offer::None;
-    m_notice->showNotice(tr("Exported: %1").arg(path));
-}
-
-void AuthorWindow::openAsStudent()
-{
-    if (m_document.isModified() && !save())
-        return;
-    m_document.readNow();
-    const Task *task = m_document.task();
-    emit studentRequested(m_document.folder(), task ? task->id : QString());
-}
-
-void AuthorWindow::editProperties()
-{
-    // A lab.json that cannot be read has no fields; the finding about it says why.
-    if (const Result<LabForm> lab = labForm(m_document.files()); !lab)
-        report(lab.error());
-    else
-        LabDialog(m_document, LabDialog::Purpose::Edit, this).exec();
-}
-
-void AuthorWindow::insertFigure()
-{
-    const QString step = m_document.step();
-    if (step.isEmpty())
-        return;
-    const LabFiles &files = m_document.files();
-    QString name;
-    for (int number = 1; name.isEmpty() || files.contents.contains(step + QLatin1Char('/') + name);
-         ++number)
-        name = QStringLiteral("figure-%1.svg").arg(number);
-    const QByteArray svg = figureOf(m_sceneTab->scene());
-    if (!m_document.edit(tr("Insert a figure"),
-                         withFile(files, step + QLatin1Char('/') + name, svg)))
-        return;
-    showTab(Text);
-    m_textTab->insertFigure(
-        name, tr("The scene at %1 s").arg(m_sceneTab->simulation().time(), 0, 'f', 2));
-}
-
-/// A window was killed, and this is what it had not saved.
-void AuthorWindow::showDraft(const QDateTime &when)
-{
-    m_notice->warn(tr("Cradle ended without saving this lab. Your changes of %1 are back; they are "
-                      "not saved yet.")
-                       .arg(QLocale().toString(when.toLocalTime(), QLocale::ShortFormat)),
-                   m_document.undoStack().canUndo()
-                       ? std::vector<NoticeBar::Offer>{{tr("Discard them"),
-                                                        [this] { m_document.undoStack().undo(); }}}
-                       : std::vector<NoticeBar::Offer>());
-}
-
-void AuthorWindow::offerUnsavedLab()
-{
-    m_notice->warn(tr("Cradle ended before a new lab was saved for the first time."),
-                   {{tr("Open it"), [this] {
-                         if (mayDiscard())
-                             m_document.openUnsavedDraft();
-                     }}});
-}
-
-/// Fields and scenes of which something is typed that is no value, and so not in the lab.
-QStringList AuthorWindow::refused() const
-{
-    return m_checksTab->refusedChecks() + m_textTab->refusedValues() + m_sceneTab->refusedScenes();
+    const QString path = exportTo(m_document.files(), tr("Export the lab as one file"),
+                                  nameFrom(m_document.lab().title));
+    if (!path.isEmpty())
+        m_notices.say(tr("Exported: %1").arg(path));
 }
 
 /// Saving does not keep what is no value: that goes with the window alone.
-bool AuthorWindow::mayDropRefused()
+bool AuthorFiles::mayDropRefused()
 {
-    const QStringList fields = refused();
+    const QStringList fields = m_panes.refused();
     if (fields.isEmpty())
         return true;
     QMessageBox box(QMessageBox::Question, tr("Drop what was typed?"),
                     tr("What is typed here is no value yet, and is not in the lab: %1")
                         .arg(fields.join(QStringLiteral(", "))),
-                    QMessageBox::Discard | QMessageBox::Cancel, this);
+                    QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setDefaultButton(QMessageBox::Cancel);
     return box.exec() == QMessageBox::Discard;
 }
 
-bool AuthorWindow::mayDiscard()
+bool AuthorFiles::mayDiscard()
 {
     if (!mayDropRefused())
         return false;
@@ -342,7 +293,7 @@ bool AuthorWindow::mayDiscard()
         return true;
     QMessageBox box(QMessageBox::Question, tr("Save the lab?"),
                     tr("The lab has changes that are not saved."),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
     case QMessageBox::Save:

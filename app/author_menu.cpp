@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/author_window.h"
+#include "app/author_menu.h"
 
+#include "app/author_window.h"
+#include "app/menu_entries.h"
+#include "views/author/find_panel.h"
 #include "views/author/proof_tab.h"
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
-#include "views/menu.h"
 
 #include <QMenuBar>
 #include <QTabWidget>
@@ -14,92 +16,123 @@ namespace cradle {
 
 namespace {
 
-template <typename Target, typename Slot>
-void add(Menu *menu, const QString &text, const QKeySequence &shortcut, Target *target, Slot slot)
+struct AuthorMenuText {
+    Q_DECLARE_TR_FUNCTIONS(AuthorMenu)
+};
+
+void addLabMenu(AuthorWindow &window, QMenuBar &bar)
 {
-    QAction *action = menu->addAction(text);
-    action->setShortcut(shortcut);
-    QObject::connect(action, &QAction::triggered, target, slot);
+    AuthorFiles *files = &window.files();
+    Menu *lab = addMenu(bar, AuthorMenuText::tr("&Lab"));
+    addEntry(lab, AuthorMenuText::tr("&New lab…"), QKeySequence::New, files, &AuthorFiles::newLab);
+    addEntry(lab, AuthorMenuText::tr("&Open a folder…"), QKeySequence::Open, files,
+             &AuthorFiles::openFolder);
+    addEntry(lab, AuthorMenuText::tr("Open lab in one &file…"), {}, files, &AuthorFiles::openFile);
+    lab->addSeparator();
+    addEntry(lab, AuthorMenuText::tr("&Save"), QKeySequence::Save, files, &AuthorFiles::save);
+    addEntry(lab, AuthorMenuText::tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+             files, &AuthorFiles::saveAs);
+    addEntry(lab, AuthorMenuText::tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E),
+             files, &AuthorFiles::exportLab);
+    addEntry(lab, AuthorMenuText::tr("Export for st&udents…"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), files,
+             &AuthorFiles::exportForStudents);
+    addEntry(lab, AuthorMenuText::tr("&Properties…"), QKeySequence(Qt::ALT | Qt::Key_Return),
+             &window, &AuthorWindow::editProperties);
+    lab->addSeparator();
+    addEntry(lab, AuthorMenuText::tr("Open as a s&tudent"), QKeySequence(Qt::Key_F5), &window,
+             &AuthorWindow::openAsStudent);
+    lab->addSeparator();
+    addEntry(lab, AuthorMenuText::tr("&Close"), QKeySequence::Close, &window, &QWidget::close);
 }
 
-} // namespace
-
-void AuthorWindow::fillMenus()
+void addEditMenu(AuthorWindow &window, QMenuBar &bar)
 {
-    // One of them may have asked for this, so they go later.
-    for (Menu *old : menuBar()->findChildren<Menu *>(QString(), Qt::FindDirectChildrenOnly))
-        old->deleteLater();
-    menuBar()->clear();
-    Menu *lab = addMenu(*menuBar(), tr("&Lab"));
-    add(lab, tr("&New lab…"), QKeySequence::New, this, &AuthorWindow::newLab);
-    add(lab, tr("&Open a folder…"), QKeySequence::Open, this, &AuthorWindow::openLab);
-    add(lab, tr("Open lab in one &file…"), {}, this, &AuthorWindow::openLabFile);
-    lab->addSeparator();
-    add(lab, tr("&Save"), QKeySequence::Save, this, &AuthorWindow::save);
-    add(lab, tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
-        &AuthorWindow::saveAs);
-    add(lab, tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E), this,
-        &AuthorWindow::exportLab);
-    add(lab, tr("Export for st&udents…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), this,
-        &AuthorWindow::exportForStudents);
-    add(lab, tr("&Properties…"), QKeySequence(Qt::ALT | Qt::Key_Return), this,
-        &AuthorWindow::editProperties);
-    lab->addSeparator();
-    add(lab, tr("Open as a s&tudent"), QKeySequence(Qt::Key_F5), this,
-        &AuthorWindow::openAsStudent);
-    lab->addSeparator();
-    add(lab, tr("&Close"), QKeySequence::Close, this, &QWidget::close);
-
-    Menu *edit = addMenu(*menuBar(), tr("&Edit"));
-    QAction *undo = m_document.undoStack().createUndoAction(edit, tr("&Undo"));
+    QUndoStack &undoStack = window.document().undoStack();
+    Menu *edit = addMenu(bar, AuthorMenuText::tr("&Edit"));
+    QAction *undo = undoStack.createUndoAction(edit, AuthorMenuText::tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
-    QAction *redo = m_document.undoStack().createRedoAction(edit, tr("&Redo"));
+    QAction *redo = undoStack.createRedoAction(edit, AuthorMenuText::tr("&Redo"));
     QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
     if (!again.contains(alsoRedo))
         again.append(alsoRedo);
     redo->setShortcuts(again);
     edit->addActions({undo, redo});
     edit->addSeparator();
-    add(edit, tr("F&ind and replace in the lab…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H),
-        this, &AuthorWindow::openSearch);
-    add(edit, tr("Insert the scene as a &figure"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F),
-        this, &AuthorWindow::insertFigure);
-    add(edit, tr("&Values of lab and step"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), this,
-        &AuthorWindow::openValues);
-    add(edit, tr("Start from the moment &shown"), {}, m_sceneTab, &SceneTab::setFromMoment);
+    addEntry(edit, AuthorMenuText::tr("F&ind and replace in the lab…"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H), window.panes().find,
+             [find = window.panes().find] { find->open(); });
+    addEntry(edit, AuthorMenuText::tr("Insert the scene as a &figure"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), &window, &AuthorWindow::insertFigure);
+    addEntry(edit, AuthorMenuText::tr("&Values of lab and step"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), &window.ways(),
+             &AuthorWays::openValues);
+    addEntry(edit, AuthorMenuText::tr("Start from the moment &shown"), {}, window.panes().scene,
+             &SceneTab::setFromMoment);
+}
 
-    Menu *step = m_stepMenu = addMenu(*menuBar(), tr("&Step"));
-    add(step, tr("&Add"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), m_steps,
-        &StepsPanel::addStep);
-    add(step, tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), m_steps,
-        &StepsPanel::duplicateStep);
-    add(step, tr("&Rename"), {}, m_steps, &StepsPanel::renameStep);
-    add(step, tr("Re&move"), {}, m_steps, &StepsPanel::removeStep);
+Menu *addStepMenu(StepsPanel *steps, QMenuBar &bar)
+{
+    Menu *step = addMenu(bar, AuthorMenuText::tr("&Step"));
+    addEntry(step, AuthorMenuText::tr("&Add"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+             steps, &StepsPanel::addStep);
+    addEntry(step, AuthorMenuText::tr("&Duplicate"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D),
+             steps, &StepsPanel::duplicateStep);
+    addEntry(step, AuthorMenuText::tr("&Rename"), {}, steps, &StepsPanel::renameStep);
+    addEntry(step, AuthorMenuText::tr("Re&move"), {}, steps, &StepsPanel::removeStep);
     step->addSeparator();
-    add(step, tr("Move &up"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Up), m_steps,
-        &StepsPanel::moveUp);
-    add(step, tr("Move d&own"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Down), m_steps,
-        &StepsPanel::moveDown);
+    addEntry(step, AuthorMenuText::tr("Move &up"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Up),
+             steps, &StepsPanel::moveUp);
+    addEntry(step, AuthorMenuText::tr("Move d&own"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Down), steps, &StepsPanel::moveDown);
+    return step;
+}
 
-    Menu *proof = addMenu(*menuBar(), tr("&Proof"));
-    add(proof, tr("&Verify this step"), QKeySequence(Qt::CTRL | Qt::Key_Return), this, [this] {
-        showTab(Proof);
-        m_proofTab->verifyStep();
+void addProofMenu(AuthorWindow &window, QMenuBar &bar)
+{
+    AuthorPanes *panes = &window.panes();
+    Menu *proof = addMenu(bar, AuthorMenuText::tr("&Proof"));
+    addEntry(proof, AuthorMenuText::tr("&Verify this step"),
+             QKeySequence(Qt::CTRL | Qt::Key_Return), &window, [panes] {
+                 panes->showTab(AuthorPanes::Proof);
+                 panes->proof->verifyStep();
+             });
+    addEntry(proof, AuthorMenuText::tr("Verify the &lab"),
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return), &window, [panes] {
+                 panes->showTab(AuthorPanes::Proof);
+                 panes->proof->verifyAll();
+             });
+    addEntry(proof, AuthorMenuText::tr("&Suggest mistakes"), {}, &window, [panes] {
+        panes->showTab(AuthorPanes::Proof);
+        panes->proof->suggest();
     });
-    add(proof, tr("Verify the &lab"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Return), this,
-        [this] {
-            showTab(Proof);
-            m_proofTab->verifyAll();
-        });
-    add(proof, tr("&Suggest mistakes"), {}, this, [this] {
-        showTab(Proof);
-        m_proofTab->suggest();
-    });
+}
 
-    Menu *view = addMenu(*menuBar(), tr("&View"));
-    for (int i = 0; i < m_tabs->count(); ++i)
-        add(view, m_tabs->tabText(i), QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)),
-            this, [this, i] { showTab(i); });
+void addTabsMenu(AuthorWindow &window, QMenuBar &bar)
+{
+    Menu *view = addMenu(bar, AuthorMenuText::tr("&View"));
+    const QTabWidget &tabs = *window.panes().tabs;
+    for (int i = 0; i < tabs.count(); ++i)
+        addEntry(view, tabs.tabText(i),
+                 QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)), &window,
+                 [panes = &window.panes(), i] { panes->showTab(i); });
+}
+
+} // namespace
+
+Menu *fillMenuBar(AuthorWindow &window)
+{
+    QMenuBar &bar = *window.menuBar();
+    // One of them may have asked for this, so they go later.
+    for (Menu *old : bar.findChildren<Menu *>(QString(), Qt::FindDirectChildrenOnly))
+        old->deleteLater();
+    bar.clear();
+    addLabMenu(window, bar);
+    addEditMenu(window, bar);
+    Menu *steps = addStepMenu(window.panes().steps, bar);
+    addProofMenu(window, bar);
+    addTabsMenu(window, bar);
+    return steps;
 }
 
 } // namespace cradle

@@ -2,47 +2,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/author_window.h"
 
-#include "app/lab_drop.h"
+#include "app/author_menu.h"
 #include "app/notice_bar.h"
 #include "tasks/authoring/lab_edits.h"
-#include "views/author/broken_file.h"
-#include "views/author/checks_tab.h"
+#include "views/author/figure.h"
 #include "views/author/find_panel.h"
-#include "views/author/language_box.h"
-#include "views/author/programs_tab.h"
-#include "views/author/proof_tab.h"
+#include "views/author/lab_dialog.h"
 #include "views/author/scene_tab.h"
 #include "views/author/steps_panel.h"
 #include "views/author/text_tab.h"
-#include "views/fitted_tabs.h"
 #include "views/menu.h"
+#include "views/scene/scene_view.h"
 
 #include <QApplication>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QScreen>
 #include <QSettings>
-#include <QSplitter>
-#include <QStackedWidget>
-#include <QTabWidget>
-#include <QVBoxLayout>
 
 namespace cradle {
 
 namespace {
 
 constexpr QSize firstSize{1440, 900}; ///< px
-constexpr int stepsWidth = 270;       ///< px
 
 } // namespace
 
 AuthorWindow::AuthorWindow(QSettings &settings)
     : m_settings(settings)
+    , m_panes(*this, m_document)
+    , m_notices(m_document, *m_panes.notice)
+    , m_ways(m_document, m_panes, m_notices)
+    , m_files(m_document, m_panes, m_notices, *this)
 {
     m_document.keepDraftsIn(QFileInfo(settings.fileName()).path() + QStringLiteral("/drafts"));
-    makePanes();
     wire();
-    wireProof();
     retranslate();
     resize(firstSize.boundedTo(screen()->availableGeometry().size() - QSize(0, 32)));
     restoreGeometry(settings.value(QStringLiteral("authorGeometry")).toByteArray());
@@ -53,104 +47,57 @@ AuthorWindow::AuthorWindow(QSettings &settings)
 AuthorWindow::~AuthorWindow()
 {
     qApp->removeEventFilter(this);
-    // The panes show the document: they go before it, and it tells this window nothing any more.
-    m_document.disconnect(this);
-    delete takeCentralWidget();
-}
-
-void AuthorWindow::makePanes()
-{
-    auto *centre = new QWidget(this);
-    m_notice = new NoticeBar(centre);
-    m_splitter = new QSplitter(Qt::Horizontal, centre);
-    m_steps = new StepsPanel(m_document, m_splitter);
-    m_centre = new QStackedWidget(m_splitter);
-    m_tabs = new QTabWidget(m_centre);
-    m_broken = new BrokenFile(m_document, m_centre);
-    m_centre->addWidget(m_tabs);
-    m_centre->addWidget(m_broken);
-    m_tabs->setCornerWidget(makeLanguageCorner());
-    m_sceneTab = new SceneTab(m_document, m_tabs);
-    m_textTab = new TextTab(m_document, m_tabs);
-    m_checksTab = new ChecksTab(m_document, m_tabs);
-    m_programsTab = new ProgramsTab(m_document, m_tabs);
-    m_proofTab = new ProofTab(m_document, m_tabs);
-    for (QWidget *tab : {static_cast<QWidget *>(m_sceneTab), static_cast<QWidget *>(m_textTab),
-                         static_cast<QWidget *>(m_checksTab), static_cast<QWidget *>(m_programsTab),
-                         static_cast<QWidget *>(m_proofTab)})
-        m_tabs->addTab(tab, QString());
-    new FittedTabs(*m_tabs->tabBar());
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setStretchFactor(1, 1);
-    m_splitter->setSizes({stepsWidth, firstSize.width() - stepsWidth});
-    auto *column = new QVBoxLayout(centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_notice);
-    column->addWidget(m_splitter, 1);
-    m_find = new FindPanel(m_document, centre);
-    column->addWidget(m_find);
-    setCentralWidget(centre);
-}
-
-/// The language of all texts, beside the tabs.
-QWidget *AuthorWindow::makeLanguageCorner()
-{
-    auto *corner = new QWidget(m_tabs);
-    auto *row = new QHBoxLayout(corner);
-    row->setContentsMargins(8, 2, 8, 2);
-    row->addWidget(new LanguageBox(m_document, corner));
-    return corner;
+    m_document.disconnect(this); // there is no title to show any more
 }
 
 void AuthorWindow::wire()
 {
     connect(&m_document, &AuthorDocument::stateChanged, this, &AuthorWindow::showState);
     connect(&m_document, &AuthorDocument::labRead, this, &AuthorWindow::showState);
-    connect(&m_document, &AuthorDocument::opened, this, &AuthorWindow::showWelcome);
-    connect(&m_document, &AuthorDocument::refused, this, &AuthorWindow::report);
-    connect(&m_document, &AuthorDocument::draftTaken, this, &AuthorWindow::showDraft);
-    connect(&m_document, &AuthorDocument::changedOutside, this, &AuthorWindow::offerReload);
-    // Queued: what is not saved is asked about when the drag is over.
-    connect(new LabDrop(this), &LabDrop::dropped, this, &AuthorWindow::openDropped,
-            Qt::QueuedConnection);
-    for (const auto signal : {&AuthorDocument::opened, &AuthorDocument::changed,
-                              &AuthorDocument::stepChanged, &AuthorDocument::languageChanged})
-        connect(&m_document, signal, this, &AuthorWindow::showBroken);
-    connect(m_steps, &StepsPanel::said, this,
-            [this](const QString &text) { m_notice->showNotice(text); });
-    // It says that Undo brings back what was replaced, which holds until something is undone.
-    connect(m_find, &FindPanel::said, this, [this](const QString &text) {
-        m_notice->showNotice(text);
-        m_toldAt = m_document.undoStack().index();
-    });
-    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
-        if (m_toldAt && index < *m_toldAt) {
-            m_toldAt.reset();
-            m_notice->clearNotice();
-        }
-    });
-    connect(m_find, &FindPanel::chosen, this, &AuthorWindow::goTo);
-    connect(m_steps, &StepsPanel::findingChosen, this, &AuthorWindow::goTo);
-    connect(m_steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
-    connect(m_steps, &StepsPanel::menuRequested, this,
+    connect(m_panes.steps, &StepsPanel::said, &m_notices, &AuthorNotices::say);
+    connect(m_panes.find, &FindPanel::said, &m_notices, &AuthorNotices::sayUndoable);
+    connect(m_panes.steps, &StepsPanel::propertiesRequested, this, &AuthorWindow::editProperties);
+    connect(&m_ways, &AuthorWays::propertiesRequested, this, &AuthorWindow::editProperties);
+    connect(m_panes.steps, &StepsPanel::menuRequested, this,
             [this](const QPoint &place) { m_stepMenu->popup(place); });
-    connect(m_textTab, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
-    connect(m_notice, &NoticeBar::actionTriggered, this, [this] {
-        if (m_offer == Offer::Copy) {
-            saveAs();
-        } else if (m_offer == Offer::Reload) {
-            reload();
-        }
-    });
+    connect(m_panes.text, &TextTab::figureRequested, this, &AuthorWindow::insertFigure);
 }
 
-std::optional<Error> AuthorWindow::open(const QString &folder)
+void AuthorWindow::openAsStudent()
 {
-    auto error = m_document.open(folder);
-    if (!error && m_document.hasUnsavedDraft())
-        offerUnsavedLab();
-    return error;
+    if (m_document.isModified() && !m_files.save())
+        return;
+    m_document.readNow();
+    const Task *task = m_document.task();
+    emit studentRequested(m_document.folder(), task ? task->id : QString());
+}
+
+void AuthorWindow::editProperties()
+{
+    // A lab.json that cannot be read has no fields; the finding about it says why.
+    if (const Result<LabForm> lab = labForm(m_document.files()); !lab)
+        m_notices.report(lab.error());
+    else
+        LabDialog(m_document, LabDialog::Purpose::Edit, this).exec();
+}
+
+void AuthorWindow::insertFigure()
+{
+    const QString step = m_document.step();
+    if (step.isEmpty())
+        return;
+    const LabFiles &files = m_document.files();
+    QString name;
+    for (int number = 1; name.isEmpty() || files.contents.contains(step + QLatin1Char('/') + name);
+         ++number)
+        name = QStringLiteral("figure-%1.svg").arg(number);
+    const QByteArray svg = figureOf(m_panes.scene->scene());
+    if (!m_document.edit(tr("Insert a figure"),
+                         withFile(files, step + QLatin1Char('/') + name, svg)))
+        return;
+    m_panes.showTab(Text);
+    m_panes.text->insertFigure(
+        name, tr("The scene at %1 s").arg(m_panes.scene->simulation().time(), 0, 'f', 2));
 }
 
 void AuthorWindow::showState()
@@ -163,51 +110,10 @@ void AuthorWindow::showState()
     setWindowModified(m_document.isModified());
 }
 
-/// The tabs, or in their place the file that keeps them from being filled.
-void AuthorWindow::showBroken()
-{
-    m_centre->setCurrentIndex(m_broken->follow() ? 1 : 0);
-}
-
-void AuthorWindow::showWelcome()
-{
-    m_notice->clearNotice();
-    m_offer = Offer::None;
-    if (!m_document.isReadOnly())
-        return;
-    m_offer = Offer::Copy;
-    m_notice->showNotice(tr("This lab ships with Cradle and stays as it is. Look around, or make a "
-                            "copy of it and change that."),
-                         tr("Copy to a folder…"));
-}
-
-void AuthorWindow::report(const Error &error)
-{
-    m_offer = m_document.isReadOnly() ? Offer::Copy : Offer::None;
-    m_notice->showNotice(error.toString(),
-                         m_document.isReadOnly() ? tr("Copy to a folder…") : QString());
-}
-
-void AuthorWindow::offerReload(const QString &names)
-{
-    m_offer = Offer::Reload;
-    m_notice->showNotice(tr("Changed by another program: %1").arg(names), tr("Reload"));
-}
-
-void AuthorWindow::showTab(int tab)
-{
-    m_tabs->setCurrentIndex(tab);
-    if (QWidget *page = m_tabs->currentWidget())
-        page->setFocus();
-}
-
 void AuthorWindow::retranslate()
 {
-    const QString titles[] = {tr("Scene"), tr("Text"), tr("Checks"), tr("Programs"), tr("Proof")};
-    for (int i = 0; i < m_tabs->count(); ++i)
-        m_tabs->setTabText(i, titles[i]);
-    m_tabs->setAccessibleName(tr("Parts of the step"));
-    fillMenus();
+    m_panes.retranslate();
+    m_stepMenu = fillMenuBar(*this);
     showState();
 }
 
@@ -220,7 +126,7 @@ void AuthorWindow::changeEvent(QEvent *event)
 
 void AuthorWindow::closeEvent(QCloseEvent *event)
 {
-    if (!mayDiscard()) {
+    if (!m_files.mayDiscard()) {
         event->ignore();
         return;
     }

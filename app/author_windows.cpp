@@ -55,7 +55,7 @@ std::optional<Error> AuthorWindows::open(const QString &folder)
 {
     auto author = std::make_unique<AuthorWindow>(m_settings);
     author->document().setLanguage(currentLanguage()); // the lab's own, if it has no such texts
-    if (auto error = author->open(folder))
+    if (auto error = author->files().open(folder))
         return error;
     author->setAttribute(Qt::WA_DeleteOnClose);
     connect(author.get(), &AuthorWindow::studentRequested, this,

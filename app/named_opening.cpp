@@ -71,10 +71,10 @@ std::optional<Error> openNamed(Workbench &bench, const QString &named, const QSt
     const Result<QString> place = unpacked(named, labs);
     if (!place)
         return place.error();
-    const QString path = *place;
+    const QString &path = *place;
     const bool isLab = path.isEmpty() || QFileInfo(path).isDir();
     const QString folder = isLab && !path.isEmpty() ? path : shippedLabWith(step);
-    if (const auto error = missingStep(folder, step))
+    if (auto error = missingStep(folder, step))
         return error;
     if (auto error = bench.openLab(folder, currentLanguage()))
         return error;
@@ -121,7 +121,7 @@ std::optional<Error> openAuthor(MainWindow &window, const QString &lab, const QS
                              .arg(step, document.steps().join(QStringLiteral(", ")))};
     if (!step.isEmpty())
         document.setStep(step);
-    window.authors().newest()->showTab(static_cast<int>(tabs.indexOf(tab)));
+    window.authors().newest()->panes().showTab(static_cast<int>(tabs.indexOf(tab)));
     return std::nullopt;
 }
 

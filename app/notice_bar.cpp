@@ -33,14 +33,6 @@ NoticeBar::NoticeBar(QWidget *parent)
     hide();
 }
 
-void NoticeBar::showNotice(const QString &text, const QString &action)
-{
-    if (action.isEmpty())
-        showNotice(text, std::vector<Offer>());
-    else
-        showNotice(text, {{action, [this] { emit actionTriggered(); }}});
-}
-
 void NoticeBar::showNotice(const QString &text, const std::vector<Offer> &offers)
 {
     m_notice = {text, offers};

@@ -29,10 +29,8 @@ public:
 
     explicit NoticeBar(QWidget *parent = nullptr);
 
-    /// Shows \p text; with \p action a button of that name, which emits actionTriggered().
-    void showNotice(const QString &text, const QString &action = {});
-    /// The same with buttons that do something of their own.
-    void showNotice(const QString &text, const std::vector<Offer> &offers);
+    /// Shows \p text, and a button for every offer.
+    void showNotice(const QString &text, const std::vector<Offer> &offers = {});
     /// Takes the notice away; warnings stay.
     void clearNotice();
     /// Shows \p text before all notices until "Got it" or an offer is pressed. Several wait for
@@ -41,9 +39,6 @@ public:
     /// Takes a warning away that is true no more.
     void retract(const QString &text);
     [[nodiscard]] QString text() const;
-
-signals:
-    void actionTriggered();
 
 protected:
     void changeEvent(QEvent *event) override;

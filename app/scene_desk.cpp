@@ -20,7 +20,6 @@ SceneDesk::SceneDesk(Workbench &workbench, Panes &panes)
     connect(panes.scene, &SceneView::selectionChanged, panes.inspector, &Inspector::select);
     connect(panes.inspector, &Inspector::selectionChanged, panes.scene, &SceneView::select);
     connect(document, &PresetDocument::visitingChanged, this, &SceneDesk::showVisit);
-    connect(panes.notice, &NoticeBar::actionTriggered, document, &PresetDocument::leave);
     connect(&workbench.moment(), &FaultMoment::ghostChanged, this, &SceneDesk::showGhost);
     connect(&workbench.code(), &CodeSession::paused, this, &SceneDesk::showPause);
     connect(&workbench.code(), &CodeSession::steppingEnded, this, &SceneDesk::showGhost);
@@ -66,7 +65,7 @@ void SceneDesk::showVisit(bool visiting)
         m_panes.notice->showNotice(
             *m_saidFault ? tr("This is a scene of the check, at the moment where it went wrong.")
                          : tr("This is a scene of the check."),
-            tr("Back to my scene"));
+            {{tr("Back to my scene"), [d = &m_workbench.document()] { d->leave(); }}});
     else
         m_panes.notice->clearNotice();
 }

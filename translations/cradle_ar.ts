@@ -25,6 +25,156 @@
     </message>
 </context>
 <context>
+    <name>AuthorMenu</name>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>المختبر (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;New lab…</source>
+        <translation>مختبر جديد (&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder…</source>
+        <translation>فتح مجلد (&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>فتح مختبر في ملف واحد (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>حفظ (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>حفظ باسم (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export as one file…</source>
+        <translation>تصدير ملفًا واحدًا (&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export for st&amp;udents…</source>
+        <translation>التصدير للطلاب (&amp;D)…</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>خصائص (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Open as a s&amp;tudent</source>
+        <translation>فتح بصفة طالب (&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>إغلاق (&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>تحرير (&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>تراجع (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>إعادة (&amp;R)</translation>
+    </message>
+    <message>
+        <source>F&amp;ind and replace in the lab…</source>
+        <translation>البحث والاستبدال في المختبر (&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a &amp;figure</source>
+        <translation>إدراج المشهد شكلًا (&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Values of lab and step</source>
+        <translation>قيم المختبر والمرحلة (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Start from the moment &amp;shown</source>
+        <translation>البدء من اللحظة المعروضة (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>المرحلة (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>إضافة (&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>تكرار (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>إعادة تسمية (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>إزالة (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>نقل إلى أعلى (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move d&amp;own</source>
+        <translation>نقل إلى أسفل (&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Proof</source>
+        <translation>البرهان (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Verify this step</source>
+        <translation>تدقيق هذه المرحلة (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Verify the &amp;lab</source>
+        <translation>تدقيق المختبر (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest mistakes</source>
+        <translation>اقتراح أخطاء (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>عرض (&amp;V)</translation>
+    </message>
+</context>
+<context>
+    <name>AuthorPanes</name>
+    <message>
+        <source>Scene</source>
+        <translation>المشهد</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>النص</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>الفحوص</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>البرامج</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>البرهان</translation>
+    </message>
+    <message>
+        <source>Parts of the step</source>
+        <translation>أجزاء المرحلة</translation>
+    </message>
+</context>
+<context>
     <name>ChartExport</name>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
@@ -7705,7 +7855,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
-    <name>cradle::AuthorWindow</name>
+    <name>cradle::AuthorFiles</name>
     <message>
         <source>New lab</source>
         <translation>مختبر جديد</translation>
@@ -7743,6 +7893,10 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>لديك تغييرات لم تُحفظ. إن أخذت ملفات المجلد بدلًا منها أعادت «تراجع» تغييراتك.</translation>
     </message>
     <message>
+        <source>Saved, but for fields that hold no value yet: %1</source>
+        <translation>حُفظ، عدا حقول لا تحوي قيمة بعد: ⁨%1⁩</translation>
+    </message>
+    <message>
         <source>A new or empty folder for the lab</source>
         <translation>مجلد جديد أو فارغ للمختبر</translation>
     </message>
@@ -7761,218 +7915,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Export anyway</source>
         <translation>تصدير على أي حال</translation>
-    </message>
-    <message>
-        <source>Export the lab as one file</source>
-        <translation>تصدير المختبر ملفًا واحدًا</translation>
-    </message>
-    <message>
-        <source>Exported: %1</source>
-        <translation>صُدِّر: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>Insert a figure</source>
-        <translation>إدراج شكل</translation>
-    </message>
-    <message>
-        <source>The scene at %1 s</source>
-        <translation>المشهد عند ⁦%1 s⁩</translation>
-    </message>
-    <message>
-        <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
-        <translation>انتهى Cradle دون حفظ هذا المختبر. عادت تغييراتك التي في ⁨%1⁩؛ ولم تُحفظ بعد.</translation>
-    </message>
-    <message>
-        <source>Discard them</source>
-        <translation>إهمالها</translation>
-    </message>
-    <message>
-        <source>Cradle ended before a new lab was saved for the first time.</source>
-        <translation>انتهى Cradle قبل أن يُحفظ مختبر جديد أول مرة.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>فتحه</translation>
-    </message>
-    <message>
-        <source>Save the lab?</source>
-        <translation>هل يُحفظ المختبر؟</translation>
-    </message>
-    <message>
-        <source>The lab has changes that are not saved.</source>
-        <translation>في المختبر تغييرات لم تُحفظ.</translation>
-    </message>
-    <message>
-        <source>&amp;Lab</source>
-        <translation>المختبر (&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;New lab…</source>
-        <translation>مختبر جديد (&amp;N)…</translation>
-    </message>
-    <message>
-        <source>&amp;Open a folder…</source>
-        <translation>فتح مجلد (&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open lab in one &amp;file…</source>
-        <translation>فتح مختبر في ملف واحد (&amp;F)…</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>حفظ (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>حفظ باسم (&amp;A)…</translation>
-    </message>
-    <message>
-        <source>&amp;Export as one file…</source>
-        <translation>تصدير ملفًا واحدًا (&amp;E)…</translation>
-    </message>
-    <message>
-        <source>&amp;Properties…</source>
-        <translation>خصائص (&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Open as a s&amp;tudent</source>
-        <translation>فتح بصفة طالب (&amp;T)</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>إغلاق (&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>تحرير (&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>تراجع (&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>إعادة (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Insert the scene as a &amp;figure</source>
-        <translation>إدراج المشهد شكلًا (&amp;F)</translation>
-    </message>
-    <message>
-        <source>Start from the moment &amp;shown</source>
-        <translation>البدء من اللحظة المعروضة (&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Step</source>
-        <translation>المرحلة (&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Add</source>
-        <translation>إضافة (&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>تكرار (&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>إعادة تسمية (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>إزالة (&amp;M)</translation>
-    </message>
-    <message>
-        <source>Move &amp;up</source>
-        <translation>نقل إلى أعلى (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Move d&amp;own</source>
-        <translation>نقل إلى أسفل (&amp;O)</translation>
-    </message>
-    <message>
-        <source>&amp;Proof</source>
-        <translation>البرهان (&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;Verify this step</source>
-        <translation>تدقيق هذه المرحلة (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Verify the &amp;lab</source>
-        <translation>تدقيق المختبر (&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Suggest mistakes</source>
-        <translation>اقتراح أخطاء (&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>عرض (&amp;V)</translation>
-    </message>
-    <message>
-        <source>A scene of the proof, at the moment where it went wrong: %1</source>
-        <translation>مشهد من البرهان، عند لحظة حدوث الخطأ: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>not saved yet</source>
-        <translation>لم يُحفظ بعد</translation>
-    </message>
-    <message>
-        <source>read only</source>
-        <translation>للقراءة فقط</translation>
-    </message>
-    <message>
-        <source>This lab ships with Cradle and stays as it is. Look around, or make a copy of it and change that.</source>
-        <translation>هذا المختبر مرفق مع Cradle ويبقى كما هو. تجوّل فيه، أو اصنع نسخة منه وغيّرها.</translation>
-    </message>
-    <message>
-        <source>Copy to a folder…</source>
-        <translation>نسخ إلى مجلد…</translation>
-    </message>
-    <message>
-        <source>Changed by another program: %1</source>
-        <translation>غيّره برنامج آخر: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>Reload</source>
-        <translation>إعادة التحميل</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>المشهد</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>النص</translation>
-    </message>
-    <message>
-        <source>Checks</source>
-        <translation>الفحوص</translation>
-    </message>
-    <message>
-        <source>Programs</source>
-        <translation>البرامج</translation>
-    </message>
-    <message>
-        <source>Proof</source>
-        <translation>البرهان</translation>
-    </message>
-    <message>
-        <source>Parts of the step</source>
-        <translation>أجزاء المرحلة</translation>
-    </message>
-    <message>
-        <source>Saved, but for fields that hold no value yet: %1</source>
-        <translation>حُفظ، عدا حقول لا تحوي قيمة بعد: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>F&amp;ind and replace in the lab…</source>
-        <translation>البحث والاستبدال في المختبر (&amp;I)…</translation>
-    </message>
-    <message>
-        <source>&amp;Values of lab and step</source>
-        <translation>قيم المختبر والمرحلة (&amp;V)</translation>
     </message>
     <message>
         <source>Export the lab for students</source>
@@ -7994,8 +7936,12 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>في ⁨%1⁩ يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
     </message>
     <message>
-        <source>Export for st&amp;udents…</source>
-        <translation>التصدير للطلاب (&amp;D)…</translation>
+        <source>Export the lab as one file</source>
+        <translation>تصدير المختبر ملفًا واحدًا</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>صُدِّر: ⁨%1⁩</translation>
     </message>
     <message>
         <source>Drop what was typed?</source>
@@ -8004,6 +7950,72 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>What is typed here is no value yet, and is not in the lab: %1</source>
         <translation>ما كُتب هنا ليس قيمة بعد ولم يدخل المختبر: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>Save the lab?</source>
+        <translation>هل يُحفظ المختبر؟</translation>
+    </message>
+    <message>
+        <source>The lab has changes that are not saved.</source>
+        <translation>في المختبر تغييرات لم تُحفظ.</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorNotices</name>
+    <message>
+        <source>A scene of the proof, at the moment where it went wrong: %1</source>
+        <translation>مشهد من البرهان، عند لحظة حدوث الخطأ: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>This lab ships with Cradle and stays as it is. Look around, or make a copy of it and change that.</source>
+        <translation>هذا المختبر مرفق مع Cradle ويبقى كما هو. تجوّل فيه، أو اصنع نسخة منه وغيّرها.</translation>
+    </message>
+    <message>
+        <source>Copy to a folder…</source>
+        <translation>نسخ إلى مجلد…</translation>
+    </message>
+    <message>
+        <source>Changed by another program: %1</source>
+        <translation>غيّره برنامج آخر: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>إعادة التحميل</translation>
+    </message>
+    <message>
+        <source>Discard them</source>
+        <translation>إهمالها</translation>
+    </message>
+    <message>
+        <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
+        <translation>انتهى Cradle دون حفظ هذا المختبر. عادت تغييراتك التي في ⁨%1⁩؛ ولم تُحفظ بعد.</translation>
+    </message>
+    <message>
+        <source>Cradle ended before a new lab was saved for the first time.</source>
+        <translation>انتهى Cradle قبل أن يُحفظ مختبر جديد أول مرة.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>فتحه</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorWindow</name>
+    <message>
+        <source>Insert a figure</source>
+        <translation>إدراج شكل</translation>
+    </message>
+    <message>
+        <source>The scene at %1 s</source>
+        <translation>المشهد عند ⁦%1 s⁩</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>لم يُحفظ بعد</translation>
+    </message>
+    <message>
+        <source>read only</source>
+        <translation>للقراءة فقط</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,156 @@
     </message>
 </context>
 <context>
+    <name>AuthorMenu</name>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>&amp;Lab</translation>
+    </message>
+    <message>
+        <source>&amp;New lab…</source>
+        <translation>&amp;Neues Lab…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder…</source>
+        <translation>Einen Ordner &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>Lab aus einer &amp;Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Export as one file…</source>
+        <translation>Als eine Datei e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Export for st&amp;udents…</source>
+        <translation>&amp;Für Studierende exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>&amp;Eigenschaften…</translation>
+    </message>
+    <message>
+        <source>Open as a s&amp;tudent</source>
+        <translation>Als S&amp;tudent öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>F&amp;ind and replace in the lab…</source>
+        <translation>Im Lab &amp;suchen und ersetzen…</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a &amp;figure</source>
+        <translation>Szene als &amp;Abbildung einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Values of lab and step</source>
+        <translation>Werte von &amp;Lab und Schritt</translation>
+    </message>
+    <message>
+        <source>Start from the moment &amp;shown</source>
+        <translation>Ab dem &amp;gezeigten Moment starten</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move d&amp;own</source>
+        <translation>Nach u&amp;nten</translation>
+    </message>
+    <message>
+        <source>&amp;Proof</source>
+        <translation>&amp;Nachweis</translation>
+    </message>
+    <message>
+        <source>&amp;Verify this step</source>
+        <translation>Diesen Schritt &amp;nachweisen</translation>
+    </message>
+    <message>
+        <source>Verify the &amp;lab</source>
+        <translation>Das ganze &amp;Lab nachweisen</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest mistakes</source>
+        <translation>&amp;Fehler vorschlagen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>AuthorPanes</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Parts of the step</source>
+        <translation>Teile des Schritts</translation>
+    </message>
+</context>
+<context>
     <name>ChartExport</name>
     <message>
         <source>Drawings (*.svg)</source>
@@ -7661,7 +7811,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
-    <name>cradle::AuthorWindow</name>
+    <name>cradle::AuthorFiles</name>
     <message>
         <source>New lab</source>
         <translation>Neues Lab</translation>
@@ -7679,6 +7829,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Ordner eines Labs öffnen</translation>
     </message>
     <message>
+        <source>Open a lab in one file</source>
+        <translation>Ein Lab aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>Labs (*.cradle);;Alle Dateien (*)</translation>
+    </message>
+    <message>
         <source>Replace with mine</source>
         <translation>Durch meine ersetzen</translation>
     </message>
@@ -7687,28 +7845,63 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Die anderen übernehmen</translation>
     </message>
     <message>
+        <source>You have changes that are not saved. If you take the files of the folder instead, Undo brings yours back.</source>
+        <translation>Es gibt Änderungen, die nicht gespeichert sind. Nimmst du stattdessen die Dateien des Ordners, holt Rückgängig deine zurück.</translation>
+    </message>
+    <message>
+        <source>Saved, but for fields that hold no value yet: %1</source>
+        <translation>Gespeichert, bis auf Felder, in denen noch kein Wert steht: %1</translation>
+    </message>
+    <message>
+        <source>A new or empty folder for the lab</source>
+        <translation>Ein neuer oder leerer Ordner für das Lab</translation>
+    </message>
+    <message>
         <source>Folder:</source>
         <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read</source>
+        <translation>Nicht alles lässt sich lesen</translation>
+    </message>
+    <message>
+        <source>Students will not find what cannot be read:</source>
+        <translation>Was sich nicht lesen lässt, finden Lernende nicht vor:</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Trotzdem exportieren</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>Lab für Studierende exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Ohne %n Datei exportiert, die nur für Sie ist: %1</numerusform>
+            <numerusform>Ohne %n Dateien exportiert, die nur für Sie sind: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist.</translation>
     </message>
     <message>
         <source>Export the lab as one file</source>
         <translation>Lab als eine Datei exportieren</translation>
     </message>
     <message>
-        <source>Labs (*.cradle);;All files (*)</source>
-        <translation>Labs (*.cradle);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Exported: %1</source>
         <translation>Exportiert: %1</translation>
     </message>
     <message>
-        <source>Insert a figure</source>
-        <translation>Abbildung einfügen</translation>
+        <source>Drop what was typed?</source>
+        <translation>Verwerfen, was eingegeben wurde?</translation>
     </message>
     <message>
-        <source>The scene at %1 s</source>
-        <translation>Die Szene bei %1 s</translation>
+        <source>What is typed here is no value yet, and is not in the lab: %1</source>
+        <translation>Was hier eingegeben ist, ist noch kein Wert und nicht im Lab: %1</translation>
     </message>
     <message>
         <source>Save the lab?</source>
@@ -7718,113 +7911,12 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>The lab has changes that are not saved.</source>
         <translation>Das Lab hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
+</context>
+<context>
+    <name>cradle::AuthorNotices</name>
     <message>
-        <source>&amp;Lab</source>
-        <translation>&amp;Lab</translation>
-    </message>
-    <message>
-        <source>&amp;New lab…</source>
-        <translation>&amp;Neues Lab…</translation>
-    </message>
-    <message>
-        <source>&amp;Open a folder…</source>
-        <translation>Einen Ordner &amp;öffnen…</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Speichern &amp;unter…</translation>
-    </message>
-    <message>
-        <source>&amp;Export as one file…</source>
-        <translation>Als eine Datei e&amp;xportieren…</translation>
-    </message>
-    <message>
-        <source>Open as a s&amp;tudent</source>
-        <translation>Als S&amp;tudent öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Insert the scene as a &amp;figure</source>
-        <translation>Szene als &amp;Abbildung einfügen</translation>
-    </message>
-    <message>
-        <source>Start from the moment &amp;shown</source>
-        <translation>Ab dem &amp;gezeigten Moment starten</translation>
-    </message>
-    <message>
-        <source>&amp;Step</source>
-        <translation>&amp;Schritt</translation>
-    </message>
-    <message>
-        <source>&amp;Add</source>
-        <translation>&amp;Hinzufügen</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>&amp;Duplizieren</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>&amp;Umbenennen</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Move &amp;up</source>
-        <translation>Nach &amp;oben</translation>
-    </message>
-    <message>
-        <source>Move d&amp;own</source>
-        <translation>Nach u&amp;nten</translation>
-    </message>
-    <message>
-        <source>&amp;Proof</source>
-        <translation>&amp;Nachweis</translation>
-    </message>
-    <message>
-        <source>&amp;Verify this step</source>
-        <translation>Diesen Schritt &amp;nachweisen</translation>
-    </message>
-    <message>
-        <source>Verify the &amp;lab</source>
-        <translation>Das ganze &amp;Lab nachweisen</translation>
-    </message>
-    <message>
-        <source>&amp;Suggest mistakes</source>
-        <translation>&amp;Fehler vorschlagen</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>not saved yet</source>
-        <translation>noch nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>read only</source>
-        <translation>schreibgeschützt</translation>
+        <source>A scene of the proof, at the moment where it went wrong: %1</source>
+        <translation>Eine Szene des Nachweises, im Augenblick, in dem es schiefging: %1</translation>
     </message>
     <message>
         <source>This lab ships with Cradle and stays as it is. Look around, or make a copy of it and change that.</source>
@@ -7843,56 +7935,12 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>Scene</source>
-        <translation>Szene</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>Checks</source>
-        <translation>Prüfungen</translation>
-    </message>
-    <message>
-        <source>Programs</source>
-        <translation>Programme</translation>
-    </message>
-    <message>
-        <source>Proof</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
-        <source>Parts of the step</source>
-        <translation>Teile des Schritts</translation>
-    </message>
-    <message>
-        <source>A new or empty folder for the lab</source>
-        <translation>Ein neuer oder leerer Ordner für das Lab</translation>
-    </message>
-    <message>
-        <source>&amp;Properties…</source>
-        <translation>&amp;Eigenschaften…</translation>
-    </message>
-    <message>
-        <source>A scene of the proof, at the moment where it went wrong: %1</source>
-        <translation>Eine Szene des Nachweises, im Augenblick, in dem es schiefging: %1</translation>
-    </message>
-    <message>
-        <source>Open a lab in one file</source>
-        <translation>Ein Lab aus einer Datei öffnen</translation>
-    </message>
-    <message>
-        <source>Open lab in one &amp;file…</source>
-        <translation>Lab aus einer &amp;Datei öffnen…</translation>
+        <source>Discard them</source>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
         <translation>Cradle endete, ohne dieses Lab zu sichern. Deine Änderungen vom %1 sind wieder da; gesichert sind sie noch nicht.</translation>
-    </message>
-    <message>
-        <source>Discard them</source>
-        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Cradle ended before a new lab was saved for the first time.</source>
@@ -7902,60 +7950,24 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <source>Open it</source>
         <translation>Öffnen</translation>
     </message>
+</context>
+<context>
+    <name>cradle::AuthorWindow</name>
     <message>
-        <source>You have changes that are not saved. If you take the files of the folder instead, Undo brings yours back.</source>
-        <translation>Es gibt Änderungen, die nicht gespeichert sind. Nimmst du stattdessen die Dateien des Ordners, holt Rückgängig deine zurück.</translation>
+        <source>Insert a figure</source>
+        <translation>Abbildung einfügen</translation>
     </message>
     <message>
-        <source>Not all of it can be read</source>
-        <translation>Nicht alles lässt sich lesen</translation>
+        <source>The scene at %1 s</source>
+        <translation>Die Szene bei %1 s</translation>
     </message>
     <message>
-        <source>Students will not find what cannot be read:</source>
-        <translation>Was sich nicht lesen lässt, finden Lernende nicht vor:</translation>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
     </message>
     <message>
-        <source>Export anyway</source>
-        <translation>Trotzdem exportieren</translation>
-    </message>
-    <message>
-        <source>Saved, but for fields that hold no value yet: %1</source>
-        <translation>Gespeichert, bis auf Felder, in denen noch kein Wert steht: %1</translation>
-    </message>
-    <message>
-        <source>F&amp;ind and replace in the lab…</source>
-        <translation>Im Lab &amp;suchen und ersetzen…</translation>
-    </message>
-    <message>
-        <source>&amp;Values of lab and step</source>
-        <translation>Werte von &amp;Lab und Schritt</translation>
-    </message>
-    <message>
-        <source>Export the lab for students</source>
-        <translation>Lab für Studierende exportieren</translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported without %n file(s) that are yours: %1</source>
-        <translation>
-            <numerusform>Ohne %n Datei exportiert, die nur für Sie ist: %1</numerusform>
-            <numerusform>Ohne %n Dateien exportiert, die nur für Sie sind: %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist.</translation>
-    </message>
-    <message>
-        <source>Export for st&amp;udents…</source>
-        <translation>&amp;Für Studierende exportieren…</translation>
-    </message>
-    <message>
-        <source>Drop what was typed?</source>
-        <translation>Verwerfen, was eingegeben wurde?</translation>
-    </message>
-    <message>
-        <source>What is typed here is no value yet, and is not in the lab: %1</source>
-        <translation>Was hier eingegeben ist, ist noch kein Wert und nicht im Lab: %1</translation>
+        <source>read only</source>
+        <translation>schreibgeschützt</translation>
     </message>
 </context>
 <context>

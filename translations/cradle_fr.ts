@@ -25,6 +25,156 @@
     </message>
 </context>
 <context>
+    <name>AuthorMenu</name>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>&amp;TP</translation>
+    </message>
+    <message>
+        <source>&amp;New lab…</source>
+        <translation>&amp;Nouveau TP…</translation>
+    </message>
+    <message>
+        <source>&amp;Open a folder…</source>
+        <translation>&amp;Ouvrir un dossier…</translation>
+    </message>
+    <message>
+        <source>Open lab in one &amp;file…</source>
+        <translation>Ouvrir un TP en un seul &amp;fichier…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Export as one file…</source>
+        <translation>E&amp;xporter en un seul fichier…</translation>
+    </message>
+    <message>
+        <source>Export for st&amp;udents…</source>
+        <translation>Exporter pour &amp;les étudiants…</translation>
+    </message>
+    <message>
+        <source>&amp;Properties…</source>
+        <translation>&amp;Propriétés…</translation>
+    </message>
+    <message>
+        <source>Open as a s&amp;tudent</source>
+        <translation>Ouvrir comme é&amp;tudiant</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>F&amp;ind and replace in the lab…</source>
+        <translation>Rec&amp;hercher et remplacer dans le TP…</translation>
+    </message>
+    <message>
+        <source>Insert the scene as a &amp;figure</source>
+        <translation>Insérer la scène comme &amp;figure</translation>
+    </message>
+    <message>
+        <source>&amp;Values of lab and step</source>
+        <translation>&amp;Valeurs du TP et de l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Start from the moment &amp;shown</source>
+        <translation>Démarrer à l&apos;&amp;instant affiché</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Étape</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Renommer</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>Suppri&amp;mer</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Mon&amp;ter</translation>
+    </message>
+    <message>
+        <source>Move d&amp;own</source>
+        <translation>De&amp;scendre</translation>
+    </message>
+    <message>
+        <source>&amp;Proof</source>
+        <translation>&amp;Preuve</translation>
+    </message>
+    <message>
+        <source>&amp;Verify this step</source>
+        <translation>&amp;Vérifier cette étape</translation>
+    </message>
+    <message>
+        <source>Verify the &amp;lab</source>
+        <translation>Vérifier &amp;le TP</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest mistakes</source>
+        <translation>&amp;Proposer des erreurs</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Affi&amp;chage</translation>
+    </message>
+</context>
+<context>
+    <name>AuthorPanes</name>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Vérifications</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmes</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Parts of the step</source>
+        <translation>Parties de l&apos;étape</translation>
+    </message>
+</context>
+<context>
     <name>ChartExport</name>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
@@ -7661,7 +7811,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
-    <name>cradle::AuthorWindow</name>
+    <name>cradle::AuthorFiles</name>
     <message>
         <source>New lab</source>
         <translation>Nouveau TP</translation>
@@ -7699,6 +7849,10 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Vous avez des changements non enregistrés. Si vous prenez les fichiers du dossier à la place, Annuler fait revenir les vôtres.</translation>
     </message>
     <message>
+        <source>Saved, but for fields that hold no value yet: %1</source>
+        <translation>Enregistré, sauf les champs qui ne contiennent pas encore de valeur&#xa0;: %1</translation>
+    </message>
+    <message>
         <source>A new or empty folder for the lab</source>
         <translation>Un dossier nouveau ou vide pour le TP</translation>
     </message>
@@ -7719,6 +7873,21 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Exporter quand même</translation>
     </message>
     <message>
+        <source>Export the lab for students</source>
+        <translation>Exporter le TP pour les étudiants</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Exporté sans %n fichier qui n&apos;est que pour vous&#xa0;: %1</numerusform>
+            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous&#xa0;: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>Dans %1, les étudiants lisent ce que les vérifications ont vu, et non quelle loi est fausse.</translation>
+    </message>
+    <message>
         <source>Export the lab as one file</source>
         <translation>Exporter le TP en un seul fichier</translation>
     </message>
@@ -7727,28 +7896,12 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Exporté&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Insert a figure</source>
-        <translation>Insérer une figure</translation>
+        <source>Drop what was typed?</source>
+        <translation>Abandonner ce qui a été saisi&#xa0;?</translation>
     </message>
     <message>
-        <source>The scene at %1 s</source>
-        <translation>La scène à %1 s</translation>
-    </message>
-    <message>
-        <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
-        <translation>Cradle s&apos;est terminé sans enregistrer ce TP. Vos changements de %1 sont revenus&#xa0;; ils ne sont pas encore enregistrés.</translation>
-    </message>
-    <message>
-        <source>Discard them</source>
-        <translation>Les abandonner</translation>
-    </message>
-    <message>
-        <source>Cradle ended before a new lab was saved for the first time.</source>
-        <translation>Cradle s&apos;est terminé avant qu&apos;un nouveau TP soit enregistré pour la première fois.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>L&apos;ouvrir</translation>
+        <source>What is typed here is no value yet, and is not in the lab: %1</source>
+        <translation>Ce qui est saisi ici n&apos;est pas encore une valeur et n&apos;est pas dans le TP&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save the lab?</source>
@@ -7758,125 +7911,12 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <source>The lab has changes that are not saved.</source>
         <translation>Le TP a des changements non enregistrés.</translation>
     </message>
-    <message>
-        <source>&amp;Lab</source>
-        <translation>&amp;TP</translation>
-    </message>
-    <message>
-        <source>&amp;New lab…</source>
-        <translation>&amp;Nouveau TP…</translation>
-    </message>
-    <message>
-        <source>&amp;Open a folder…</source>
-        <translation>&amp;Ouvrir un dossier…</translation>
-    </message>
-    <message>
-        <source>Open lab in one &amp;file…</source>
-        <translation>Ouvrir un TP en un seul &amp;fichier…</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Enregistrer &amp;sous…</translation>
-    </message>
-    <message>
-        <source>&amp;Export as one file…</source>
-        <translation>E&amp;xporter en un seul fichier…</translation>
-    </message>
-    <message>
-        <source>&amp;Properties…</source>
-        <translation>&amp;Propriétés…</translation>
-    </message>
-    <message>
-        <source>Open as a s&amp;tudent</source>
-        <translation>Ouvrir comme é&amp;tudiant</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>É&amp;dition</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Annuler</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <source>Insert the scene as a &amp;figure</source>
-        <translation>Insérer la scène comme &amp;figure</translation>
-    </message>
-    <message>
-        <source>Start from the moment &amp;shown</source>
-        <translation>Démarrer à l&apos;&amp;instant affiché</translation>
-    </message>
-    <message>
-        <source>&amp;Step</source>
-        <translation>&amp;Étape</translation>
-    </message>
-    <message>
-        <source>&amp;Add</source>
-        <translation>&amp;Ajouter</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>&amp;Dupliquer</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>&amp;Renommer</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>Suppri&amp;mer</translation>
-    </message>
-    <message>
-        <source>Move &amp;up</source>
-        <translation>Mon&amp;ter</translation>
-    </message>
-    <message>
-        <source>Move d&amp;own</source>
-        <translation>De&amp;scendre</translation>
-    </message>
-    <message>
-        <source>&amp;Proof</source>
-        <translation>&amp;Preuve</translation>
-    </message>
-    <message>
-        <source>&amp;Verify this step</source>
-        <translation>&amp;Vérifier cette étape</translation>
-    </message>
-    <message>
-        <source>Verify the &amp;lab</source>
-        <translation>Vérifier &amp;le TP</translation>
-    </message>
-    <message>
-        <source>&amp;Suggest mistakes</source>
-        <translation>&amp;Proposer des erreurs</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>Affi&amp;chage</translation>
-    </message>
+</context>
+<context>
+    <name>cradle::AuthorNotices</name>
     <message>
         <source>A scene of the proof, at the moment where it went wrong: %1</source>
         <translation>Une scène de la preuve, à l&apos;instant où cela a échoué&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>not saved yet</source>
-        <translation>pas encore enregistré</translation>
-    </message>
-    <message>
-        <source>read only</source>
-        <translation>lecture seule</translation>
     </message>
     <message>
         <source>This lab ships with Cradle and stays as it is. Look around, or make a copy of it and change that.</source>
@@ -7895,67 +7935,39 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Recharger</translation>
     </message>
     <message>
-        <source>Scene</source>
-        <translation>Scène</translation>
+        <source>Discard them</source>
+        <translation>Les abandonner</translation>
     </message>
     <message>
-        <source>Text</source>
-        <translation>Texte</translation>
+        <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
+        <translation>Cradle s&apos;est terminé sans enregistrer ce TP. Vos changements de %1 sont revenus&#xa0;; ils ne sont pas encore enregistrés.</translation>
     </message>
     <message>
-        <source>Checks</source>
-        <translation>Vérifications</translation>
+        <source>Cradle ended before a new lab was saved for the first time.</source>
+        <translation>Cradle s&apos;est terminé avant qu&apos;un nouveau TP soit enregistré pour la première fois.</translation>
     </message>
     <message>
-        <source>Programs</source>
-        <translation>Programmes</translation>
+        <source>Open it</source>
+        <translation>L&apos;ouvrir</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::AuthorWindow</name>
+    <message>
+        <source>Insert a figure</source>
+        <translation>Insérer une figure</translation>
     </message>
     <message>
-        <source>Proof</source>
-        <translation>Preuve</translation>
+        <source>The scene at %1 s</source>
+        <translation>La scène à %1 s</translation>
     </message>
     <message>
-        <source>Parts of the step</source>
-        <translation>Parties de l&apos;étape</translation>
+        <source>not saved yet</source>
+        <translation>pas encore enregistré</translation>
     </message>
     <message>
-        <source>Saved, but for fields that hold no value yet: %1</source>
-        <translation>Enregistré, sauf les champs qui ne contiennent pas encore de valeur&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>F&amp;ind and replace in the lab…</source>
-        <translation>Rec&amp;hercher et remplacer dans le TP…</translation>
-    </message>
-    <message>
-        <source>&amp;Values of lab and step</source>
-        <translation>&amp;Valeurs du TP et de l&apos;étape</translation>
-    </message>
-    <message>
-        <source>Export for st&amp;udents…</source>
-        <translation>Exporter pour &amp;les étudiants…</translation>
-    </message>
-    <message>
-        <source>Export the lab for students</source>
-        <translation>Exporter le TP pour les étudiants</translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported without %n file(s) that are yours: %1</source>
-        <translation>
-            <numerusform>Exporté sans %n fichier qui n&apos;est que pour vous&#xa0;: %1</numerusform>
-            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous&#xa0;: %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>Dans %1, les étudiants lisent ce que les vérifications ont vu, et non quelle loi est fausse.</translation>
-    </message>
-    <message>
-        <source>Drop what was typed?</source>
-        <translation>Abandonner ce qui a été saisi&#xa0;?</translation>
-    </message>
-    <message>
-        <source>What is typed here is no value yet, and is not in the lab: %1</source>
-        <translation>Ce qui est saisi ici n&apos;est pas encore une valeur et n&apos;est pas dans le TP&#xa0;: %1</translation>
+        <source>read only</source>
+        <translation>lecture seule</translation>
     </message>
 </context>
 <context>

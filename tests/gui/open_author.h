@@ -224,7 +224,7 @@ inline void beginLab(OpenAuthor &author, const QString &title)
 /// Opens a copy of the bouncing ball, which may be edited, in a folder "ball" of \p folder.
 inline void openBall(OpenAuthor &author, const QTemporaryDir &folder)
 {
-    QVERIFY(!author.window.open(sourcePath("tasks/labs/bouncing-ball")));
+    QVERIFY(!author.window.files().open(sourcePath("tasks/labs/bouncing-ball")));
     QVERIFY(!author.document().saveAs(folder.filePath(QStringLiteral("ball"))));
     QCOMPARE(author.document().steps().size(), 3);
 }

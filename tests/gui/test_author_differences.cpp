@@ -33,7 +33,7 @@ void TestAuthorDifferences::mistakeIsEditedAsAWholeProgram()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     author.window.programsTab().openProgram(late);
     CodeEditor &editor = author.window.programsTab().editor();
     QVERIFY(editor.text().startsWith(QStringLiteral("-- The old velocity moves the ball\n--\n")));

@@ -88,7 +88,7 @@ void TestAuthorDrafts::killedWindowLosesLittle()
         // Another number of keys each time, so that it dies at another moment of saving.
         const int keys = keysUntilKilled(*typists[run], 100 + 7 * static_cast<int>(run));
         windows::OpenAuthor author(*m_folder);
-        QVERIFY(!author.window.open(m_ball));
+        QVERIFY(!author.window.files().open(m_ball));
         const int kept = author.files().contents.value(textFile).toInt();
         QVERIFY2(kept > 0 && keys - kept <= mostLost,
                  qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(keys)));
@@ -105,7 +105,7 @@ void TestAuthorDrafts::changesComeBackAndCanBeDiscarded()
     changed.contents.remove(QStringLiteral("BALL2/floor.svg"));
     leave(m_ball, changed, onDisk);
     windows::OpenAuthor author(*m_folder);
-    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(!author.window.files().open(m_ball));
     QVERIFY(author.files() == changed);
     QVERIFY(author.document().isModified());
     QVERIFY(author.window.notice().text().contains(QStringLiteral("without saving")));
@@ -124,7 +124,7 @@ void TestAuthorDrafts::whatOthersChangedMeanwhileIsAskedAbout()
     theirs.contents[textFile] = "# Theirs";
     QVERIFY(!saveLabFiles(theirs, onDisk, m_ball));
     windows::OpenAuthor author(*m_folder);
-    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(!author.window.files().open(m_ball));
     QCOMPARE(author.files().contents.value(textFile), QByteArray("# Mine"));
     const auto refused = author.document().save();
     QVERIFY(refused && refused->message.contains(textFile));
@@ -136,10 +136,10 @@ void TestAuthorDrafts::whatOthersChangedMeanwhileIsAskedAbout()
 void TestAuthorDrafts::savedOrDiscardedLeavesNothing()
 {
     windows::OpenAuthor author(*m_folder);
-    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(!author.window.files().open(m_ball));
     author.document().edit(QStringLiteral("x"), withFile(author.files(), textFile, "# Mine"));
     QTRY_COMPARE(drafts().entryList(QDir::Files).size(), 1);
-    QVERIFY(author.window.save());
+    QVERIFY(author.window.files().save());
     QVERIFY(drafts().entryList(QDir::Files).isEmpty());
     author.document().edit(QStringLiteral("x"), withFile(author.files(), textFile, "# More"));
     QTRY_COMPARE(drafts().entryList(QDir::Files).size(), 1);
@@ -153,7 +153,7 @@ void TestAuthorDrafts::newLabComesBack()
     LabFiles files = newLab(QStringLiteral("mine"), QStringLiteral("Mine"), QStringLiteral("en"));
     leave({}, files, {});
     windows::OpenAuthor author(*m_folder);
-    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(!author.window.files().open(m_ball));
     author.click(QStringLiteral("Open it"));
     QVERIFY(author.files() == files);
     QVERIFY(author.document().folder().isEmpty());
@@ -169,7 +169,7 @@ void TestAuthorDrafts::draftOfALivingWindowIsItsOwn()
     changed.contents[textFile] = "# Mine";
     QVERIFY(!saveDraft(drafts().path(), m_ball, changed, onDisk));
     windows::OpenAuthor author(*m_folder);
-    QVERIFY(!author.window.open(m_ball));
+    QVERIFY(!author.window.files().open(m_ball));
     QVERIFY(author.files() == onDisk);
     QCOMPARE(drafts().entryList(QDir::Files).size(), 1);
 }

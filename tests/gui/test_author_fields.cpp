@@ -28,7 +28,7 @@ namespace {
 
 void openPart(OpenAuthor &author, int part)
 {
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     author.find<QComboBox>("textPart")->setCurrentIndex(part);
 }
 
@@ -67,7 +67,7 @@ void TestAuthorFields::newMistakeKeepsItsCommentApart()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     author.choose(QStringLiteral("A mistake that students make"));
     const QString program = author.window.programsTab().editor().text();
     QVERIFY(program.contains(QStringLiteral("where to look.\n\n-- Bouncing ball.")));
@@ -87,7 +87,7 @@ void TestAuthorFields::sceneThatPassesIsMadeEditedAndRemoved()
     const Preset start = *presetOf(before, QStringLiteral("BALL1"));
     const Preset passes = *presetOf(before, QStringLiteral("BALL1"), StepPreset::Solution);
     QVERIFY(start != passes);
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     SceneTab &tab = author.window.sceneTab();
     QVERIFY(tab.preset().preset() == start);
     author.find<QComboBox>("whichScene")->setCurrentIndex(1);
@@ -106,7 +106,7 @@ void TestAuthorFields::sceneThatPassesIsMadeEditedAndRemoved()
     QVERIFY(*presetOf(author.files(), QStringLiteral("BALL1")) == start);
 
     // What the proof finds of it leads here: by Euler it does not pass.
-    author.window.showTab(AuthorWindow::Proof);
+    author.window.panes().showTab(AuthorWindow::Proof);
     author.click(QStringLiteral("Verify this step"));
     QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
     const VerifiedTask *proof = author.window.proofTab().result();
@@ -129,7 +129,7 @@ void TestAuthorFields::remarkSaysHowItIsRecognised()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     author.choose(QStringLiteral("A remark on work that passes"));
     author.typeInPlace(author.find<QListWidget>("programs"), QStringLiteral("neat"));
     auto *below = author.find<QTabWidget>("belowProgram");

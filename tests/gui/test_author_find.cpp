@@ -104,7 +104,7 @@ void TestAuthorFind::shippedLabIsOnlySearched()
 {
     const QTemporaryDir folder;
     OpenAuthor author(folder);
-    QVERIFY(!author.window.open(QLatin1String(shippedLab)));
+    QVERIFY(!author.window.files().open(QLatin1String(shippedLab)));
     QVERIFY(author.document().isReadOnly());
     search(author, QStringLiteral("timestep"));
     QTRY_VERIFY(author.find<QListWidget>("findHits")->count() > 0);

@@ -107,7 +107,7 @@ void TestAuthorLab::findingsLeadToTheirFields()
     author.document().readNow();
     auto *list = author.find<QListWidget>("authorFindings");
     QTRY_COMPARE(list->count(), 1);
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(list->item(0)).center());
     QCOMPARE(author.document().step(), QStringLiteral("BALL2"));
@@ -146,7 +146,7 @@ void TestAuthorLab::labInAnotherLanguageOpensInIt()
         newLab(QStringLiteral("fall"), QStringLiteral("Fall"), QStringLiteral("de"));
     author.document().begin(german);
     QCOMPARE(author.document().language(), QStringLiteral("de"));
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     QVERIFY(!author.find<MarkdownEditor>("markdown")->toPlainText().isEmpty());
 }
 
@@ -222,7 +222,7 @@ void TestAuthorLab::mistakeOfAnotherStepIsTakenOver()
     QVERIFY(lab);
     author.document().begin(*lab);
     author.document().setStep(QStringLiteral("L42T10"));
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     auto *others = author.find<QMenu>("otherMistakes");
     auto *menu = qobject_cast<QMenu *>(others->parent());
     QVERIFY(menu);

@@ -65,17 +65,17 @@ void TestAuthorLosses::languageStandsOnEveryTab()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     author.pick("textLanguage", QStringLiteral("de"));
     for (const int tab : {AuthorWindow::Scene, AuthorWindow::Text, AuthorWindow::Checks,
                           AuthorWindow::Programs, AuthorWindow::Proof}) {
-        author.window.showTab(tab);
+        author.window.panes().showTab(tab);
         const auto *language = author.find<QComboBox>("textLanguage");
         QVERIFY(language->isVisible());
         QVERIFY(language->currentText().contains(QStringLiteral("Deutsch (de)")));
     }
     // A title that is typed in Checks goes where that says.
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.fill("checkTitle", QStringLiteral("Losgelassen"));
     QCOMPARE(taskForm(author.files(), ball1, QStringLiteral("de"))->checks[0].title,
              QStringLiteral("Losgelassen"));
@@ -88,7 +88,7 @@ void TestAuthorLosses::invalidFieldStaysUntilItIsMended()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.pick("checkKind", QStringLiteral("start"));
     const QString wrong = QStringLiteral("0.9, 0, 0.7, 0.4");
     author.fill("position", wrong);
@@ -106,7 +106,7 @@ void TestAuthorLosses::invalidFieldStaysUntilItIsMended()
     QCOMPARE(author.find<QLineEdit>("position")->text(), wrong);
     QVERIFY(!list->item(0)->icon().isNull());
     QVERIFY(list->item(1)->icon().isNull());
-    QVERIFY(author.window.save());
+    QVERIFY(author.window.files().save());
     QVERIFY(author.window.notice().text().contains(ball1));
 
     author.fill("checkCircles", QStringLiteral("one"));
@@ -131,7 +131,7 @@ void TestAuthorLosses::brokenStepIsBlockedAloneAndMendedHere()
     const QString whole = textOf(author.files(), path);
     QVERIFY(author.document().edit(QStringLiteral("break"),
                                    withText(author.files(), path, QString(whole).remove(0, 1))));
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     QVERIFY(author.find<QLineEdit>("stepTitle")->isVisible()); // of BALL1
 
     author.document().setStep(QStringLiteral("BALL2"));
@@ -238,7 +238,7 @@ void TestAuthorLosses::reloadAsksAndShowsTheDifference()
     // Saving over theirs asks the same way.
     standard.clear();
     press<DifferenceDialog>(QStringLiteral("Cancel"), look);
-    QVERIFY(!author.window.save());
+    QVERIFY(!author.window.files().save());
     QCOMPARE(standard, QStringLiteral("Cancel"));
     press<DifferenceDialog>(QStringLiteral("Take theirs"));
     author.click(QStringLiteral("Reload"));
@@ -255,12 +255,12 @@ void TestAuthorLosses::foreignFilesStayWhenAStepGoes()
     const QString notes = QStringLiteral("BALL2/notes for next year.txt");
     QVERIFY(author.document().edit(QStringLiteral("notes"),
                                    withText(author.files(), notes, QStringLiteral("Later.\n"))));
-    QVERIFY(author.window.save());
+    QVERIFY(author.window.files().save());
     author.document().setStep(QStringLiteral("BALL2"));
     author.window.steps().removeStep();
     QVERIFY(!author.document().steps().contains(QStringLiteral("BALL2")));
     QVERIFY(author.window.notice().text().contains(notes));
-    QVERIFY(author.window.save());
+    QVERIFY(author.window.files().save());
     const LabFiles saved = *readLabFiles(folder.filePath(QStringLiteral("ball")));
     QStringList left;
     for (auto it = saved.contents.keyBegin(); it != saved.contents.keyEnd(); ++it) {
@@ -276,7 +276,7 @@ void TestAuthorLosses::copyOfACheckInLuaHasAProgramOfItsOwn()
     OpenAuthor author(folder);
     openBall(author, folder);
     author.document().setStep(QStringLiteral("BALL3"));
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.window.checksTab().showCheck(QStringLiteral("half"));
     const QString original = textOf(author.files(), QStringLiteral("BALL3/checks/half-height.lua"));
     author.window.checksTab().duplicateCheck();

@@ -36,7 +36,7 @@ std::optional<Prediction> prediction(OpenAuthor &author, const char *language = 
 
 void openPrediction(OpenAuthor &author)
 {
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     author.find<QComboBox>("textPart")->setCurrentIndex(predictionPart);
 }
 
@@ -153,7 +153,7 @@ void TestAuthorPrediction::predictionStandsWhereTheStudentFindsIt()
     QVERIFY(lab);
     author.document().begin(*lab);
     author.document().setStep(QStringLiteral("L42T12"));
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     InstructionsPane &student = author.window.textTab().student();
     auto *card = student.findChild<PredictionCard *>();
     QVERIFY(card);

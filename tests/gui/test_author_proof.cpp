@@ -40,7 +40,7 @@ void breakLastStep(OpenAuthor &author)
 
 void waitForProof(OpenAuthor &author, const QString &button)
 {
-    author.window.showTab(AuthorWindow::Proof);
+    author.window.panes().showTab(AuthorWindow::Proof);
     author.click(button);
     QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
 }
@@ -84,7 +84,7 @@ void TestAuthorProof::runOfACheckKeepsItsScene()
                                            "end\n"
                                            "function on_update(timestep)\n"
                                            "end\n");
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     tab.visit({.scene = scene, .pinned = true, .source = program, .step = 1});
     QCOMPARE(tab.simulation().current(), qint64{1});
     QVERIFY(tab.simulation().recording().circles(1).front().position == (Vec2{1.5, 1.0}));
@@ -105,7 +105,7 @@ void TestAuthorProof::referenceStopsAtWhatTheStepFixes()
     OpenAuthor author(folder);
     openBall(author, folder);
     author.document().setStep(QStringLiteral("BALL2"));
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     SceneTab &tab = author.window.sceneTab();
     auto *mover = author.find<QComboBox>("mover");
     mover->setCurrentIndex(1);
@@ -130,7 +130,7 @@ void TestAuthorProof::referenceStopsAtWhatTheStepFixes()
     QVERIFY(author.document().edit(
         QStringLiteral("edit"),
         withText(author.files(), QStringLiteral("BALL2/solution.lua"), program)));
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     QVERIFY(!tab.simulation().programError());
     QVERIFY(!line->isVisible());
     QVERIFY(tab.simulation().isProgrammed());
@@ -156,7 +156,7 @@ void TestAuthorProof::proofSaysNoMoreThanItProves()
     QVERIFY(says(QStringLiteral("every check is needed")));
 
     // The same check twice: told, and "needed" is not.
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.window.checksTab().duplicateCheck();
     waitForProof(author, QStringLiteral("Verify this step"));
     QVERIFY(says(QStringLiteral("Worth a look")));
@@ -200,7 +200,7 @@ void TestAuthorProof::proofSaysNoMoreThanItProves()
     const int before = rows();
     QVERIFY(before > 0);
     author.click(QStringLiteral("Add as a mistake"));
-    author.window.showTab(AuthorWindow::Proof);
+    author.window.panes().showTab(AuthorWindow::Proof);
     QTRY_COMPARE(rows(), before - 1);
     QVERIFY(says(QStringLiteral("before the last edits")));
 }

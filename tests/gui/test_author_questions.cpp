@@ -31,7 +31,7 @@ constexpr int questionsPart = 4;
 void openQuestions(OpenAuthor &author, const QTemporaryDir &folder)
 {
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     author.find<QComboBox>("textPart")->setCurrentIndex(questionsPart);
     author.click(QStringLiteral("Add a question"));
 }

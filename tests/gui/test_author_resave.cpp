@@ -45,7 +45,7 @@ void TestAuthorResave::labIsSavedAsItWas()
     QCOMPARE(bytesIn(copy), before);
 
     OpenAuthor author(folder);
-    QVERIFY(!author.window.open(copy));
+    QVERIFY(!author.window.files().open(copy));
     QCOMPARE(author.document().steps().size(), 17);
     // Looking at everything changes nothing.
     for (const QString &language : {QStringLiteral("de"), QStringLiteral("en")}) {
@@ -53,7 +53,7 @@ void TestAuthorResave::labIsSavedAsItWas()
         for (const QString &step : author.document().steps()) {
             author.document().setStep(step);
             for (int tab = AuthorWindow::Scene; tab <= AuthorWindow::Proof; ++tab) {
-                author.window.showTab(tab);
+                author.window.panes().showTab(tab);
                 QCoreApplication::processEvents();
             }
         }

@@ -60,7 +60,7 @@ void TestAuthorSaving::shippedLabIsReadOnlyUntilCopied()
 {
     const QTemporaryDir folder;
     OpenAuthor author(folder);
-    QVERIFY(!author.window.open(QLatin1String(shippedLab)));
+    QVERIFY(!author.window.files().open(QLatin1String(shippedLab)));
     QVERIFY(author.document().isReadOnly());
     QVERIFY(author.window.notice().isVisible());
     const LabFiles before = author.files();
@@ -127,7 +127,7 @@ void TestAuthorSaving::otherProgramsAreNoticed()
         dialog->reject();
         return true;
     });
-    QVERIFY(!author.window.save());
+    QVERIFY(!author.window.files().save());
     QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Theirs again\n"));
     OpenAuthor::inDialog<DifferenceDialog>([](DifferenceDialog *dialog) {
         for (auto *button : dialog->findChildren<QPushButton *>()) {
@@ -136,7 +136,7 @@ void TestAuthorSaving::otherProgramsAreNoticed()
         }
         return true;
     });
-    QVERIFY(author.window.save());
+    QVERIFY(author.window.files().save());
     QCOMPARE(textOf(*readLabFiles(place), text), QStringLiteral("# Mine\n"));
 }
 

@@ -29,7 +29,7 @@ const QString step = QStringLiteral("BALL1");
 QPlainTextEdit *openText(OpenAuthor &author, const QTemporaryDir &folder)
 {
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     author.click(QStringLiteral("As text"));
     return author.find<QPlainTextEdit>("sceneText");
 }

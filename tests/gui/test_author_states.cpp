@@ -52,7 +52,7 @@ void TestAuthorStates::initTestCase()
     applyTheme(ThemeChoice::Light);
     m_author = std::make_unique<OpenAuthor>(m_folder);
     openBall(*m_author, m_folder);
-    m_author->window.showTab(AuthorWindow::Proof);
+    m_author->window.panes().showTab(AuthorWindow::Proof);
     m_author->window.proofTab().verifyStep();
     QTRY_VERIFY_WITH_TIMEOUT(!m_author->window.proofTab().isRunning(), 120'000);
     QVERIFY(m_author->window.proofTab().result());
@@ -98,7 +98,7 @@ void TestAuthorStates::everyTabCanBeUsed()
     take(state);
     const char *const names[] = {"scene", "text", "checks", "programs", "proof"};
     for (int tab = 0; tab < m_author->window.tabs().count(); ++tab) {
-        m_author->window.showTab(tab);
+        m_author->window.panes().showTab(tab);
         lookInto(QLatin1String(names[tab]), m_author->window);
     }
     // Once the window has turned, the inspector may be wider than its room, and Qt scrolls sideways

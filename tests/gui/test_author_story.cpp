@@ -83,7 +83,7 @@ void TestAuthorStory::rackIsWritten()
     addMistake("whole-velocity", story::wholeVelocity);
     addMistake("one-sided", story::oneSided);
 
-    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->window.panes().showTab(AuthorWindow::Checks);
     m_author->click(QStringLiteral("Remove the check")); // of the template: it falls
     beginCheck("swap", "Two balls swap what goes along the line of centres", "collides", "1, 2");
     m_author->pick("sceneKind", QStringLiteral("encounters"));
@@ -118,7 +118,7 @@ void TestAuthorStory::dragIsWritten()
     removePrograms();
     addMistake("square", story::square);
     addMistake("speeds-up", story::speedsUp);
-    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->window.panes().showTab(AuthorWindow::Checks);
     m_author->click(QStringLiteral("Remove the check"));
     beginCheck("decays", "It slows down as exp(-kt)", "script", "1");
     m_author->fill("duration", QStringLiteral("4"));
@@ -147,7 +147,7 @@ void TestAuthorStory::springIsWritten()
     removePrograms();
     addMistake("no-rest-length", story::noRestLength);
     addMistake("one-end", story::oneEnd);
-    m_author->window.showTab(AuthorWindow::Checks);
+    m_author->window.panes().showTab(AuthorWindow::Checks);
     m_author->click(QStringLiteral("Remove the check"));
     beginCheck("period", "It swings with the right period", "script", "1, 2");
     m_author->fill("duration", QStringLiteral("6"));
@@ -164,7 +164,7 @@ void TestAuthorStory::labIsProven()
         const auto row = static_cast<int>(m_author->document().steps().indexOf(utf8(step)));
         QVERIFY2(row >= 0, step);
         list->setCurrentRow(row);
-        m_author->window.showTab(AuthorWindow::Proof);
+        m_author->window.panes().showTab(AuthorWindow::Proof);
         m_author->click(QStringLiteral("Verify this step"));
         QTRY_VERIFY_WITH_TIMEOUT(!m_author->window.proofTab().isRunning(), 120'000);
         const VerifiedTask *proof = m_author->window.proofTab().result();

@@ -107,7 +107,7 @@ void TestAuthorTemplates::rackIsPutIntoTheSceneByKeys()
     OpenAuthor author(folder);
     beginLab(author, QStringLiteral("Billiards"));
     const LabFiles before = author.files();
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     OpenAuthor::inDialog<ArrangementDialog>([](ArrangementDialog *dialog) {
         dialog->activateWindow();
         auto *rows = dialog->findChild<QSpinBox *>(QStringLiteral("arrangementRows"));

@@ -29,7 +29,7 @@ namespace {
 void openCheck(OpenAuthor &author, const QTemporaryDir &folder)
 {
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.find<QListWidget>("checks")->setCurrentRow(1);
 }
 
@@ -68,9 +68,9 @@ void TestAuthorTrial::programOpenIsOffered()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openCheck(author, folder);
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     author.window.programsTab().openProgram(QStringLiteral("mistakes/thrown.lua"));
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     QCOMPARE(author.find<QComboBox>("trialProgram")->currentText(),
              QStringLiteral("mistakes/thrown.lua"));
 }
@@ -135,12 +135,12 @@ void TestAuthorTrial::expressionIsThereWhenTheLabIsOpenedAgain()
         QCOMPARE(gravity->text(), typed);
         QCOMPARE(tried(author, QStringLiteral("solution.lua")),
                  QStringLiteral("solution.lua passes."));
-        QVERIFY(author.window.save());
+        QVERIFY(author.window.files().save());
         place = author.document().folder();
     }
     OpenAuthor author(folder);
-    QVERIFY(!author.window.open(place));
-    author.window.showTab(AuthorWindow::Checks);
+    QVERIFY(!author.window.files().open(place));
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.find<QListWidget>("checks")->setCurrentRow(1);
     QCOMPARE(author.find<QLineEdit>("gravity")->text(), typed);
     QCOMPARE(tried(author, QStringLiteral("solution.lua")), QStringLiteral("solution.lua passes."));

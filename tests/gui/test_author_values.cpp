@@ -181,7 +181,7 @@ void TestAuthorValues::findingLeadsToItsValue()
         {}, withValueForms(author.files(), QStringLiteral("BALL2"),
                            {{.name = QStringLiteral("a"), .expression = QStringLiteral("1")},
                             {.name = QStringLiteral("b"), .expression = QStringLiteral("2*c")}})));
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     author.document().readNow();
     auto *findings = author.find<QListWidget>("authorFindings");
     QVERIFY(findings);

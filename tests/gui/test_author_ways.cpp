@@ -33,7 +33,7 @@ namespace {
 /// Verifies the open step by its button, and waits.
 void verify(OpenAuthor &author)
 {
-    author.window.showTab(AuthorWindow::Proof);
+    author.window.panes().showTab(AuthorWindow::Proof);
     author.click(QStringLiteral("Verify this step"));
     QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
     QVERIFY(author.window.proofTab().result());
@@ -116,7 +116,7 @@ void TestAuthorWays::findingShowsItsRun()
     beginLab(author, QStringLiteral("Runs"));
     const QString step = author.document().step();
     // A solution that falls too slowly: it fails by a check.
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     author.window.programsTab().openProgram(QStringLiteral("solution.lua"));
     QString program = textOf(author.files(), step + QStringLiteral("/solution.lua"));
     QVERIFY(program.contains(QStringLiteral("-9.81")));
@@ -139,9 +139,9 @@ void TestAuthorWays::findingShowsItsRun()
     QVERIFY2(std::abs(fallen - began + 9.0 * run.time()) < 1e-9,
              qPrintable(QString::number(fallen)));
     // The notice belongs to that scene alone.
-    author.window.showTab(AuthorWindow::Proof);
+    author.window.panes().showTab(AuthorWindow::Proof);
     QVERIFY(!author.window.notice().isVisible());
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     QVERIFY(author.window.notice().isVisible());
     author.click(QStringLiteral("Back to the step's scene"));
     QVERIFY(!scene.preset().isVisiting());
@@ -155,7 +155,7 @@ void TestAuthorWays::suggestedMistakeIsTakenOver()
     beginLab(author, QStringLiteral("Suggest"));
     const QString step = author.document().step();
     const QStringList before = knownNames(author.files(), step, KnownKind::Mistake);
-    author.window.showTab(AuthorWindow::Proof);
+    author.window.panes().showTab(AuthorWindow::Proof);
     author.click(QStringLiteral("Suggest mistakes"));
     QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
     auto *rows = author.find<QScrollArea>("proofRows");
@@ -192,7 +192,7 @@ void TestAuthorWays::checkInLuaIsWritten()
     OpenAuthor author(folder);
     beginLab(author, QStringLiteral("Lua"));
     const QString step = author.document().step();
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     CodeEditor &script = author.window.checksTab().scriptEditor();
     QVERIFY(!script.isVisible());
     author.click(QStringLiteral("Add a check"));

@@ -48,7 +48,7 @@ void TestAuthorWindow::labFromNothingToAStudentWhoPasses()
     const QString step = author.document().step();
 
     // The text, with its preview.
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     auto *text = author.find<MarkdownEditor>("markdown");
     text->selectAll();
     QTest::keyClicks(text, QStringLiteral("# Let it fall"));
@@ -61,7 +61,7 @@ void TestAuthorWindow::labFromNothingToAStudentWhoPasses()
     author.fill("stepCommit", QStringLiteral("Let it fall"));
 
     // A check of its own, by the form that the catalogue makes.
-    author.window.showTab(AuthorWindow::Checks);
+    author.window.panes().showTab(AuthorWindow::Checks);
     author.click(QStringLiteral("Add a check"));
     author.fill("checkTitle", QStringLiteral("It starts to the right"));
     author.fill("checkId", QStringLiteral("start"));
@@ -74,7 +74,7 @@ void TestAuthorWindow::labFromNothingToAStudentWhoPasses()
     QCOMPARE(form->checks[1].title, QStringLiteral("It starts to the right"));
 
     // A mistake that fails by it.
-    author.window.showTab(AuthorWindow::Programs);
+    author.window.panes().showTab(AuthorWindow::Programs);
     author.choose(QStringLiteral("A mistake that students make"));
     author.typeInPlace(author.find<QListWidget>("programs"), QStringLiteral("thrown"));
     QVERIFY(
@@ -178,7 +178,7 @@ void TestAuthorWindow::typingIsOneUndoOfTheLab()
     OpenAuthor author(folder);
     beginLab(author, QStringLiteral("Undo"));
     const LabFiles before = author.files();
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     auto *text = author.find<MarkdownEditor>("markdown");
     const QString old = text->toPlainText();
     text->setFocus();
@@ -205,7 +205,7 @@ void TestAuthorWindow::sceneIsEditedLockedAndTakenFromTheMoment()
     beginLab(author, QStringLiteral("Scene"));
     const QString step = author.document().step();
     SceneTab &tab = author.window.sceneTab();
-    author.window.showTab(AuthorWindow::Scene);
+    author.window.panes().showTab(AuthorWindow::Scene);
     QCOMPARE(tab.templates().actions().size(), 9); // five scenes, a line, three patterns
     tab.templates().actions().front()->trigger();  // head-on
     QCOMPARE(presetOf(author.files(), step)->circles.size(), std::size_t{2});
@@ -234,7 +234,7 @@ void TestAuthorWindow::figureOfTheSceneGoesIntoTheText()
     OpenAuthor author(folder);
     beginLab(author, QStringLiteral("Figure"));
     const QString step = author.document().step();
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     author.click(QStringLiteral("Insert the scene as a figure"));
     const QByteArray svg = author.files().contents.value(step + QStringLiteral("/figure-1.svg"));
     QVERIFY(svg.contains("<svg"));

@@ -86,7 +86,7 @@ void TestLabDrop::droppedLabOpensForItsAuthor()
         newLab(QStringLiteral("falling"), QStringLiteral("Falling"), QStringLiteral("en")), file));
     OpenAuthor author(folder);
     openBall(author, folder);
-    author.window.showTab(AuthorWindow::Text);
+    author.window.panes().showTab(AuthorWindow::Text);
     // Over an editor, too, which would write down the path.
     auto *text = author.find<MarkdownEditor>("markdown")->viewport();
     const LabFiles before = author.files();

@@ -115,7 +115,7 @@ void TestMenus::lettersOfAuthorsAreUnderlinedOnce()
     QFETCH(QString, language);
     setLanguage(language);
     OpenAuthor author(m_folder);
-    QVERIFY(!author.window.open(sourcePath("tasks/labs/bouncing-ball")));
+    QVERIFY(!author.window.files().open(sourcePath("tasks/labs/bouncing-ball")));
     compareLetters(author.window);
 }
 

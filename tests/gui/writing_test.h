@@ -24,7 +24,7 @@ protected:
     /// Sets id, title, commit and instructions of the open step, and one hint less to think of.
     void retitle(const char *id, const char *title, const char *text)
     {
-        m_author->window.showTab(AuthorWindow::Text);
+        m_author->window.panes().showTab(AuthorWindow::Text);
         m_author->fill("stepId", utf8(id));
         QCOMPARE(m_author->document().step(), utf8(id));
         m_author->fill("stepTitle", utf8(title));
@@ -48,7 +48,7 @@ protected:
     /// Replaces the text of one of the step's own programs.
     void makeOwn(const char *program, const char *text)
     {
-        m_author->window.showTab(AuthorWindow::Programs);
+        m_author->window.panes().showTab(AuthorWindow::Programs);
         m_author->window.programsTab().openProgram(utf8(program));
         retype(m_author->window.programsTab().editor(), utf8(text));
         QCOMPARE(textOf(m_author->files(),
@@ -59,7 +59,7 @@ protected:
     /// The template's mistake is about gravity.
     void removePrograms()
     {
-        m_author->window.showTab(AuthorWindow::Programs);
+        m_author->window.panes().showTab(AuthorWindow::Programs);
         m_author->window.programsTab().openProgram(QStringLiteral("mistakes/upward.lua"));
         m_author->click(QStringLiteral("Remove the program"));
         QVERIFY(knownNames(m_author->files(), m_author->document().step(), KnownKind::Mistake)
@@ -91,7 +91,7 @@ protected:
 
     void beginCheck(const char *id, const char *title, const char *kind, const char *circles)
     {
-        m_author->window.showTab(AuthorWindow::Checks);
+        m_author->window.panes().showTab(AuthorWindow::Checks);
         m_author->click(QStringLiteral("Add a check"));
         m_author->fill("checkId", utf8(id));
         m_author->fill("checkTitle", utf8(title));
@@ -110,7 +110,7 @@ protected:
     /// No scene with laws alone passes the checks of this lab.
     void removeSceneThatPasses()
     {
-        m_author->window.showTab(AuthorWindow::Scene);
+        m_author->window.panes().showTab(AuthorWindow::Scene);
         m_author->window.sceneTab().openSolution();
         m_author->click(QStringLiteral("Remove this scene"));
         m_author->window.sceneTab().openStart();
