@@ -44,7 +44,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     , m_dialogs(workbench, m_keeping, *m_panes.notice, *this)
     , m_opening(workbench, *m_panes.notice, *this)
     , m_authors(workbench, *m_panes.notice, settings, *this)
-    , m_presenter(workbench, *m_panes.scene, m_room, m_choices, *this)
+    , m_presenter(workbench, *m_panes.scene, *m_panes.transport, m_room, m_choices, *this)
     , m_help(workbench, m_panes, m_room, *this)
     , m_focus(*this, m_panes)
 {

@@ -6,14 +6,16 @@
 #include "app/presentation.h"
 #include "app/room.h"
 #include "app/workbench.h"
+#include "views/on_change.h"
 #include "views/scene/scene_view.h"
+#include "views/transport_bar.h"
 
+#include <QAction>
 #include <QGuiApplication>
 #include <QScreen>
 #include <QShortcut>
 
 #include <algorithm>
-#include <utility>
 
 namespace cradle {
 
@@ -21,12 +23,20 @@ namespace {
 
 constexpr double presentedText = 1.5; ///< of the usual size, at least
 
+/// A key of \p owner's window.
+template <typename Slot>
+void addKey(const QKeySequence &keys, QWidget *owner, Slot slot)
+{
+    QObject::connect(new QShortcut(keys, owner), &QShortcut::activated, owner, slot);
+}
+
 } // namespace
 
-Presenter::Presenter(Workbench &workbench, SceneView &scene, Room &room, const Choices &choices,
-                     QWidget &window)
+Presenter::Presenter(Workbench &workbench, SceneView &scene, const TransportBar &transport,
+                     Room &room, const Choices &choices, QWidget &window)
     : m_workbench(workbench)
     , m_scene(scene)
+    , m_transport(transport)
     , m_room(room)
     , m_choices(choices)
     , m_window(window)
@@ -46,7 +56,7 @@ void Presenter::showFullScreen(bool full)
 /// What is chosen for it is not kept for later.
 void Presenter::present(bool presents)
 {
-    if (presents == (m_layer != nullptr))
+    if (presents == (layer() != nullptr))
         return;
     if (presents) {
         m_before = {m_choices.theme(), textScale(), m_window.isFullScreen()};
@@ -54,10 +64,13 @@ void Presenter::present(bool presents)
         setTextScale(std::max(presentedText, textScale()));
         m_room.showSceneAlone(true);
         showFullScreen(true);
-        m_layer = new PresentationLayer(&m_window);
-        addKeys();
+        cover(m_window);
+        if (m_secondScene)
+            cover(*m_secondScene);
     } else {
-        delete std::exchange(m_layer, nullptr);
+        for (PresentationLayer *each : m_layers)
+            delete each;
+        m_layers.clear();
         applyTheme(m_before.theme);
         setTextScale(m_before.textScale);
         m_room.showSceneAlone(false);
@@ -66,16 +79,28 @@ void Presenter::present(bool presents)
     emit presentingChanged();
 }
 
-void Presenter::addKeys()
+/// Whichever window has the focus, and whichever the others see.
+void Presenter::cover(QWidget &window)
 {
-    const auto key = [this](int code, auto slot) {
-        auto *shortcut = new QShortcut(QKeySequence(code), m_layer);
-        connect(shortcut, &QShortcut::activated, this, slot);
-    };
-    key(Qt::Key_PageDown, [this] { m_workbench.simulation().seekNextHit(); });
-    key(Qt::Key_PageUp, [this] { m_workbench.simulation().seekPreviousHit(); });
-    key(Qt::Key_B, [this] { m_layer->setBlack(!m_layer->isBlack()); });
-    key(Qt::Key_Escape, [this] { present(false); });
+    auto *cover = new PresentationLayer(&window);
+    m_layers.emplace_back(cover);
+    addKey(Qt::Key_PageDown, cover, [this] { m_workbench.simulation().seekNextHit(); });
+    addKey(Qt::Key_PageUp, cover, [this] { m_workbench.simulation().seekPreviousHit(); });
+    addKey(Qt::Key_B, cover, [this] { setBlack(!layer()->isBlack()); });
+    addKey(Qt::Key_Escape, cover, [this] { present(false); });
+}
+
+void Presenter::setBlack(bool black)
+{
+    for (PresentationLayer *each : m_layers) {
+        if (each)
+            each->setBlack(black);
+    }
+}
+
+PresentationLayer *Presenter::layer() const
+{
+    return m_layers.empty() ? nullptr : m_layers.front().data();
 }
 
 SceneView *Presenter::secondScene() const
@@ -89,18 +114,34 @@ void Presenter::openSceneWindow()
     if (!m_secondScene) {
         m_secondScene = new SceneView(m_workbench.document());
         m_secondScene->setAttribute(Qt::WA_DeleteOnClose);
-        m_secondScene->setWindowTitle(tr("Scene"));
-        m_secondScene->setRenderer(m_scene.renderer());
-        m_secondScene->setOptions(m_scene.options());
+        const auto name = [second = m_secondScene.data()] { second->setWindowTitle(tr("Scene")); };
+        name();
+        onChange(m_secondScene, {QEvent::LanguageChange}, name);
+        m_secondScene->showLike(m_scene);
+        addKeys(*m_secondScene);
         for (QScreen *other : QGuiApplication::screens()) {
             if (other == m_window.screen())
                 continue;
             m_secondScene->setGeometry(other->geometry());
             m_secondScene->setWindowState(Qt::WindowFullScreen);
         }
+        if (layer())
+            cover(*m_secondScene);
     }
     m_secondScene->show();
     m_secondScene->raise();
+}
+
+/// Menus are of the first window alone.
+void Presenter::addKeys(SceneView &second)
+{
+    second.addActions(m_transport.actions());
+    addKey(QKeySequence::ZoomIn, &second, [&second] { second.zoomIn(); });
+    addKey(QKeySequence::ZoomOut, &second, [&second] { second.zoomOut(); });
+    addKey(Qt::Key_Z, &second, [&second] { second.zoomToHit(); });
+    addKey(Qt::CTRL | Qt::Key_0, &second, [&second] { second.fit(); });
+    addKey(Qt::Key_F11, &second,
+           [&second] { second.setWindowState(second.windowState() ^ Qt::WindowFullScreen); });
 }
 
 } // namespace cradle

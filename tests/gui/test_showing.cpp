@@ -31,6 +31,9 @@ private slots:
     void sceneAloneAndBack();
     void presentationAndBack();
     void secondWindowShowsTheSameRun();
+    void secondWindowShowsWhatTheFirstDoes();
+    void secondWindowHasTheKeysOfARun();
+    void secondWindowIsBlackWithTheFirst();
     void tourGoesThroughSixParts();
     void tourIsEndedByEscape();
     void tourCardHoldsALongText();
@@ -140,6 +143,67 @@ void TestShowing::secondWindowShowsTheSameRun()
     QCOMPARE(m_open->window.presenter().secondScene(), second);
     second->close();
     QTRY_VERIFY(!m_open->window.presenter().secondScene());
+}
+
+void TestShowing::secondWindowShowsWhatTheFirstDoes()
+{
+    m_open->window.presenter().openSceneWindow();
+    SceneView *second = m_open->window.presenter().secondScene();
+    SceneOptions options = m_open->window.scene().options();
+    QVERIFY(second->options() == options);
+    options.trails = !options.trails;
+    m_open->window.choices().showInScene(options);
+    QVERIFY(second->options() == options);
+    m_open->window.choices().followCentreOfMass(true);
+    QVERIFY(second->followsCentreOfMass());
+    m_open->window.choices().chooseRenderer(Renderer::Raster);
+    QCOMPARE(second->renderer(), Renderer::Raster);
+}
+
+void TestShowing::secondWindowHasTheKeysOfARun()
+{
+    m_open->window.presenter().openSceneWindow();
+    SceneView *second = m_open->window.presenter().secondScene();
+    second->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(second));
+    Simulation &simulation = m_open->simulation();
+    const auto step = simulation.current();
+    QTest::keyClick(second, Qt::Key_Right);
+    QCOMPARE(simulation.current(), step + 1);
+    QTest::keyClick(second, Qt::Key_Space);
+    QVERIFY(simulation.isRunning());
+    QTest::keyClick(second, Qt::Key_Space);
+    QVERIFY(!simulation.isRunning());
+    const Camera whole = second->camera();
+    QTest::keyClick(second, Qt::Key_Plus, Qt::ControlModifier);
+    QVERIFY(second->camera() != whole);
+    QTest::keyClick(second, Qt::Key_0, Qt::ControlModifier);
+    QVERIFY(second->camera() == whole);
+    QTest::keyClick(second, Qt::Key_F11);
+    QVERIFY(second->isFullScreen());
+    QTest::keyClick(second, Qt::Key_F11);
+    QVERIFY(!second->isFullScreen());
+}
+
+void TestShowing::secondWindowIsBlackWithTheFirst()
+{
+    m_open->window.presenter().openSceneWindow();
+    m_open->window.presenter().present(true);
+    SceneView *second = m_open->window.presenter().secondScene();
+    second->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(second));
+    const auto middle = [second] {
+        return second->grab().toImage().pixelColor(second->rect().center());
+    };
+    QVERIFY(middle() != QColor(Qt::black));
+    QTest::keyClick(second, Qt::Key_B);
+    QCOMPARE(middle(), QColor(Qt::black));
+    QVERIFY(m_open->window.presenter().layer()->isBlack());
+    QTest::keyClick(second, Qt::Key_B);
+    QVERIFY(middle() != QColor(Qt::black));
+    QTest::keyClick(second, Qt::Key_Escape);
+    QVERIFY(!m_open->window.presenter().layer());
+    QVERIFY(!second->findChild<PresentationLayer *>());
 }
 
 void TestShowing::tourGoesThroughSixParts()

@@ -71,6 +71,7 @@ void SceneView::setRenderer(Renderer renderer)
         m_fallbackReason = glSupport().reason;
     }
     installCanvas();
+    emit toldToShow();
 }
 
 void SceneView::installCanvas()
@@ -108,6 +109,7 @@ void SceneView::setOptions(const SceneOptions &options)
 {
     m_options = options;
     refresh();
+    emit toldToShow();
 }
 
 void SceneView::setGhost(std::shared_ptr<const Recording> ghost, const QString &label)
@@ -115,6 +117,24 @@ void SceneView::setGhost(std::shared_ptr<const Recording> ghost, const QString &
     m_ghost = std::move(ghost);
     m_ghostLabel = label;
     refresh();
+    emit toldToShow();
+}
+
+void SceneView::showLike(const SceneView &other)
+{
+    setRenderer(other.m_renderer);
+    take(other);
+    connect(&other, &SceneView::toldToShow, this, [this, &other] { take(other); });
+}
+
+void SceneView::take(const SceneView &other)
+{
+    if (m_renderer != other.m_renderer)
+        setRenderer(other.m_renderer);
+    setOptions(other.m_options);
+    setGhost(other.m_ghost, other.m_ghostLabel);
+    if (m_follows != other.m_follows)
+        followCentreOfMass(other.m_follows);
 }
 
 const QList<QAction *> &SceneView::circleActions() const

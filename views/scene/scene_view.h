@@ -52,6 +52,9 @@ public:
     /// circle where it would be, how far apart they are, and \p label, a word for what it is.
     /// \param ghost  null: none
     void setGhost(std::shared_ptr<const Recording> ghost, const QString &label);
+    /// From now on this view, of the same document, shows what \p other is told to show, and draws
+    /// it in the same way; what part of the scene it shows is its own.
+    void showLike(const SceneView &other);
     [[nodiscard]] int selected() const { return m_editor.selected(); }
     [[nodiscard]] const std::vector<int> &selection() const { return m_editor.selection(); }
     [[nodiscard]] bool followsCentreOfMass() const { return m_follows; }
@@ -82,6 +85,7 @@ signals:
     void selectionChanged(int index);
     void circleActivated(int index); ///< it was double clicked
     void newRunRequested();          ///< from the moment shown
+    void toldToShow();               ///< options, another run or a way to draw them
 
 protected:
     bool event(QEvent *event) override;
@@ -112,6 +116,7 @@ private:
     };
 
     void retranslate();
+    void take(const SceneView &other);
     void refresh(); ///< something that is shown changed
     void installCanvas();
     void fallBack(const QString &reason);

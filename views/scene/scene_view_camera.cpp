@@ -31,6 +31,7 @@ void SceneView::followCentreOfMass(bool on)
     m_follows = on;
     m_followed = m_camera.centre();
     refresh();
+    emit toldToShow();
 }
 
 void SceneView::followCamera()
