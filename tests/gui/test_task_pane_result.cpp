@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/calm.h"
+#include "tests/gui/legible.h"
 #include "tests/gui/open_task_pane.h"
 #include "views/task_pane/check_row.h"
 #include "views/task_pane/message_text.h"
+#include "views/task_pane/result_pane.h"
 #include "views/task_pane/step_delegate.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSplitter>
 #include <QToolButton>
@@ -39,6 +44,9 @@ private slots:
     void passedCheckOffersCommitAndNextStep();
     void progressOfACheckIsShown();
     void staleResultIsMarked();
+    void staleResultIsAsReadable_data();
+    void staleResultIsAsReadable();
+    void staleResultStaysWhereItIs();
 
 private:
     std::unique_ptr<OpenTaskPane> m_open;
@@ -255,6 +263,59 @@ void TestTaskPaneResult::staleResultIsMarked()
     m_open->pane.setStale(true);
     m_open->pane.setReport(report(false));
     QVERIFY(!m_open->says(QStringLiteral("Changed since this check")));
+}
+
+void TestTaskPaneResult::staleResultIsAsReadable_data()
+{
+    QTest::addColumn<ThemeChoice>("theme");
+    QTest::newRow("light") << ThemeChoice::Light;
+    QTest::newRow("dark") << ThemeChoice::Dark;
+    QTest::newRow("contrast") << ThemeChoice::HighContrast;
+}
+
+/// By what is seen: an effect may take the colours that a text is written with.
+void TestTaskPaneResult::staleResultIsAsReadable()
+{
+    QFETCH(ThemeChoice, theme);
+    applyTheme(theme);
+    m_open->pane.setReport(report(false));
+    m_open->pane.setStale(true);
+    calm(m_open->pane);
+    const auto *result = m_open->pane.findChild<ResultPane *>();
+    const QImage picture = m_open->pane.grab().toImage();
+    int read = 0;
+    for (const auto *label : result->findChildren<QLabel *>()) {
+        if (!label->isVisible() || label->text().isEmpty())
+            continue;
+        const QRect place(label->mapTo(&m_open->pane, QPoint()), label->size());
+        const QColor ground = groundOf(picture, place);
+        double best = 1.0;
+        for (int y = place.top(); y <= place.bottom(); ++y) {
+            for (int x = place.left(); x <= place.right(); ++x)
+                best = std::max(best, contrast(picture.pixelColor(x, y), ground));
+        }
+        QVERIFY2(best >= leastContrast, qPrintable(label->text()));
+        ++read;
+    }
+    QVERIFY(read > 3);
+    applyTheme(ThemeChoice::Light);
+}
+
+void TestTaskPaneResult::staleResultStaysWhereItIs()
+{
+    m_open->pane.setReport(report(false));
+    m_open->pane.resize(320, 420);
+    calm(m_open->pane);
+    auto *result = m_open->pane.findChild<ResultPane *>();
+    QScrollBar *bar = result->findChild<QScrollArea *>()->verticalScrollBar();
+    QVERIFY(bar->maximum() > 10);
+    bar->setValue(10);
+    m_open->pane.setStale(true);
+    calm(m_open->pane);
+    QCOMPARE(bar->value(), 10);
+    m_open->pane.setStale(false);
+    calm(m_open->pane);
+    QCOMPARE(bar->value(), 10);
 }
 
 QTEST_MAIN(TestTaskPaneResult)

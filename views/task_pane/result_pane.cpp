@@ -9,7 +9,7 @@
 #include "views/task_pane/result_cards.h"
 #include "views/theme.h"
 
-#include <QGraphicsOpacityEffect>
+#include <QGraphicsColorizeEffect>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -18,12 +18,6 @@
 #include <algorithm>
 
 namespace cradle {
-
-namespace {
-
-constexpr double staleOpacity = 0.6;
-
-} // namespace
 
 ResultPane::ResultPane(FormulaRenderer *renderer, QWidget *parent)
     : QWidget(parent)
@@ -36,6 +30,10 @@ ResultPane::ResultPane(FormulaRenderer *renderer, QWidget *parent)
     m_progress = new QLabel(this);
     m_progress->setContentsMargins(12, 0, 12, 8);
     m_progress->hide();
+    m_staleNote = new QLabel(this);
+    m_staleNote->setContentsMargins(12, 0, 12, 4);
+    m_staleNote->setWordWrap(true);
+    setKind(m_staleNote, "muted");
     m_scroll = new QScrollArea(this);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
@@ -45,6 +43,7 @@ ResultPane::ResultPane(FormulaRenderer *renderer, QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_heading);
     column->addWidget(m_progress, 1, Qt::AlignTop);
+    column->addWidget(m_staleNote);
     column->addWidget(m_scroll, 1);
     keepTranslated(this, &ResultPane::rebuild);
 }
@@ -74,7 +73,7 @@ void ResultPane::setStale(bool stale)
     if (stale == m_stale)
         return;
     m_stale = stale;
-    rebuild();
+    showStale();
 }
 
 void ResultPane::setAwaitsRun(bool awaits)
@@ -133,6 +132,17 @@ void ResultPane::showChecking()
     m_progress->setText(m_total > 0 ? tr("Checking… %1 of %2").arg(m_done).arg(m_total)
                                     : tr("Checking…"));
     m_scroll->setVisible(!m_checking);
+    showStale();
+}
+
+/// What was read stays where it is, and without colours as readable: by these words a student
+/// mends.
+void ResultPane::showStale()
+{
+    const bool isStale = m_stale && m_body && !m_checking;
+    m_staleNote->setVisible(isStale);
+    if (m_body)
+        m_body->graphicsEffect()->setEnabled(isStale);
 }
 
 /// Makes the content anew; the old one goes when no signal of its own is under way.
@@ -140,6 +150,8 @@ void ResultPane::rebuild()
 {
     m_heading->setText(tr("Result"));
     m_scroll->setAccessibleName(tr("Result"));
+    m_staleNote->setText(tr("Changed since this check"));
+    m_body = nullptr;
     showChecking();
     auto *content = new QWidget;
     auto *column = new QVBoxLayout(content);
@@ -153,8 +165,6 @@ void ResultPane::rebuild()
     } else if (!m_report) {
         addText(column, tr("Press Check (Ctrl+Return) when you are done."), "muted");
     } else {
-        if (m_stale)
-            addText(column, tr("Changed since this check"), "muted");
         auto *body = new QWidget(content);
         auto *inner = new QVBoxLayout(body);
         inner->setContentsMargins(0, 0, 0, 0);
@@ -163,11 +173,10 @@ void ResultPane::rebuild()
             addSuccess(inner);
         else
             addFailure(inner);
-        if (m_stale) {
-            auto *grey = new QGraphicsOpacityEffect(body);
-            grey->setOpacity(staleOpacity);
-            body->setGraphicsEffect(grey);
-        }
+        auto *grey = new QGraphicsColorizeEffect(body);
+        grey->setColor(Qt::black);
+        body->setGraphicsEffect(grey);
+        m_body = body;
         column->addWidget(body);
         addWayBack(column);
     }
@@ -175,6 +184,7 @@ void ResultPane::rebuild()
     if (QWidget *old = m_scroll->takeWidget())
         old->deleteLater();
     m_scroll->setWidget(content);
+    showStale();
 }
 
 QLabel *ResultPane::addText(QVBoxLayout *column, const QString &text, const char *kind)

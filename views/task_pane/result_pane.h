@@ -54,6 +54,7 @@ signals:
 private:
     void rebuild();
     void showChecking();
+    void showStale();
     void addFailure(QVBoxLayout *column);
     void addError(QVBoxLayout *column, const ProgramError &error);
     void addFindings(QVBoxLayout *column);
@@ -72,7 +73,9 @@ private:
     FormulaRenderer *m_renderer;
     QLabel *m_heading = nullptr;
     QLabel *m_progress = nullptr;
+    QLabel *m_staleNote = nullptr;
     QScrollArea *m_scroll = nullptr;
+    QWidget *m_body = nullptr; ///< what the report says; null if there is none
     std::optional<CheckReport> m_report;
     bool m_checking = false;
     int m_done = 0;
