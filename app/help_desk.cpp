@@ -146,12 +146,19 @@ void HelpDesk::showShortcuts()
         {tr("From curve to curve of a chart, from bar to bar of the speeds"), tr("Up, Down")},
         {tr("Hear that curve from left to right"), tr("Return")},
         {tr("Along the dots of the steps, and open"), tr("Left, Right, Return")}};
+    const std::vector<KeyRow> charts{
+        {tr("Zoom to a box"), tr("Shift+drag")},
+        {tr("Zoom at the pointer"), tr("wheel; values alone with Ctrl")},
+        {tr("Move along"), tr("drag with the middle button")},
+        {tr("Reset the zoom"), tr("double click")}};
     const auto half = static_cast<std::ptrdiff_t>((menus.size() + 1) / 2);
     const QString still(QChar::Nbsp);
     KeysDialog({{{tr("Anywhere"), {menus.begin(), menus.begin() + half}}},
                 {{still, {menus.begin() + half, menus.end()}},
                  {tr("On the timeline and the steps"), time}},
-                {{tr("In the program"), program}, {tr("In the scene"), scene}}},
+                {{tr("In the program"), program},
+                 {tr("In the scene"), scene},
+                 {tr("In a chart"), charts}}},
                &m_window)
         .exec();
 }

@@ -9521,6 +9521,38 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>Alt</translation>
     </message>
     <message>
+        <source>Zoom to a box</source>
+        <translation>التكبير إلى إطار</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>‏Shift + سحب</translation>
+    </message>
+    <message>
+        <source>wheel; values alone with Ctrl</source>
+        <translation>العجلة؛ القيم وحدها مع Ctrl</translation>
+    </message>
+    <message>
+        <source>Move along</source>
+        <translation>تحريك النافذة المعروضة</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>السحب بالزر الأوسط</translation>
+    </message>
+    <message>
+        <source>Reset the zoom</source>
+        <translation>إعادة ضبط التكبير</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>نقر مزدوج</translation>
+    </message>
+    <message>
+        <source>In a chart</source>
+        <translation>في رسم بياني</translation>
+    </message>
+    <message>
         <source>Take a drag back</source>
         <translation>إلغاء السحب</translation>
     </message>

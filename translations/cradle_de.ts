@@ -9449,6 +9449,38 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
         <translation>Alt</translation>
     </message>
     <message>
+        <source>Zoom to a box</source>
+        <translation>Rahmen vergrößern</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>wheel; values alone with Ctrl</source>
+        <translation>Mausrad; nur die Werte mit Strg</translation>
+    </message>
+    <message>
+        <source>Move along</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>mit mittlerer Taste ziehen</translation>
+    </message>
+    <message>
+        <source>Reset the zoom</source>
+        <translation>Zoom zurücksetzen</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>In a chart</source>
+        <translation>In einem Diagramm</translation>
+    </message>
+    <message>
         <source>Take a drag back</source>
         <translation>Ziehen zurücknehmen</translation>
     </message>

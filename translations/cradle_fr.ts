@@ -9449,6 +9449,38 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Alt</translation>
     </message>
     <message>
+        <source>Zoom to a box</source>
+        <translation>Agrandir un cadre</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Maj+glisser</translation>
+    </message>
+    <message>
+        <source>wheel; values alone with Ctrl</source>
+        <translation>molette ; les valeurs seules avec Ctrl</translation>
+    </message>
+    <message>
+        <source>Move along</source>
+        <translation>Déplacer la vue</translation>
+    </message>
+    <message>
+        <source>drag with the middle button</source>
+        <translation>glisser avec le bouton central</translation>
+    </message>
+    <message>
+        <source>Reset the zoom</source>
+        <translation>Réinitialiser le zoom</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>double-clic</translation>
+    </message>
+    <message>
+        <source>In a chart</source>
+        <translation>Dans un graphique</translation>
+    </message>
+    <message>
         <source>Take a drag back</source>
         <translation>Annuler un glissement</translation>
     </message>
