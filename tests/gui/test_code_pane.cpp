@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_code.h"
+#include "tests/gui/settled.h"
 #include "views/code/code_pane.h"
 
 #include <QAction>
@@ -24,6 +25,8 @@ private slots:
     void solutionWaitsForPassing();
     void staysReadableInEveryWidth_data();
     void staysReadableInEveryWidth();
+    void tellsWhatIsSavedInLargeTexts_data();
+    void tellsWhatIsSavedInLargeTexts();
 };
 
 void TestCodePane::findsAndCounts()
@@ -197,6 +200,24 @@ void TestCodePane::staysReadableInEveryWidth()
         for (int j = 0; j < i; ++j)
             QVERIFY(!places[i].intersects(places[j]));
     }
+}
+
+void TestCodePane::tellsWhatIsSavedInLargeTexts_data()
+{
+    QTest::addColumn<int>("percent");
+    for (const int percent : {100, 125, 150, 175, 200})
+        QTest::addRow("%d %%", percent) << percent;
+}
+
+void TestCodePane::tellsWhatIsSavedInLargeTexts()
+{
+    QFETCH(const int, percent);
+    setTextScale(percent / 100.0);
+    m_open->pane.setState(CodeState::Saved);
+    m_open->window.resize(486, 500); // as in a window of 1440 px
+    settle();
+    QVERIFY(m_open->says(s("saved")));
+    setTextScale(1.0);
 }
 
 QTEST_MAIN(TestCodePane)

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int gap = 8;         ///< px
 constexpr int sideMargin = 12; ///< px
-constexpr int shortState = 90; ///< px; what a state has at least, though cut off
+constexpr int shortState = 90; ///< px at 100 %; what a state has at least, though cut off
 
 } // namespace
 
@@ -105,8 +105,7 @@ void CodeHeader::setState(const QString &text, bool warns)
 
 void CodeHeader::retranslate()
 {
-    m_atOnce->setText(tr("Run as I type"));
-    m_atOnce->setAccessibleName(m_atOnce->text());
+    m_atOnce->setAccessibleName(tr("Run as I type")); // its text as well, where there is room
     m_atOnce->setToolTip(tr("Run every change at once, as long as the program parses"));
     m_more->setText(tr("More"));
     m_more->setAccessibleName(tr("More for the program"));
@@ -129,6 +128,12 @@ void CodeHeader::arrange()
             break;
         button->setCollapsed(true);
     }
+    // The last to go is the name of a choice, whose sign stays: what is saved is told in words
+    // alone.
+    m_atOnce->setText(m_atOnce->accessibleName());
+    layout()->invalidate();
+    if (layout()->minimumSize().width() + scaledByText(shortState) > width())
+        m_atOnce->setText(QString());
     layout()->invalidate();
     layout()->activate();
     // Where all of it does not fit, what comes before the colon says the most.
