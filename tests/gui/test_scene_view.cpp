@@ -3,6 +3,8 @@
 #include "tests/gui/scene_fixture.h"
 #include "tests/scenes.h"
 #include "views/scene/gl_canvas.h"
+#include "views/scene/loupe.h"
+#include "views/theme.h"
 
 #include <QTest>
 
@@ -17,6 +19,7 @@ private slots:
     void cameraFollowsTheCentreOfMass();
     void momentaStandInAnInset();
     void hitIsEnlargedInACorner();
+    void magnificationIsReadOverAll();
     void loupeIsOnlyWhereItShowsMore();
     void hitIsZoomedTo();
     void emptySceneTellsWhatToDo();
@@ -130,6 +133,20 @@ void TestSceneView::hitIsEnlargedInACorner()
     scene.view.setOptions(options);
     QVERIFY(!scene.view.picture().loupe);
     QVERIFY(with != scene.view.renderToImage({700, 700}));
+}
+
+void TestSceneView::magnificationIsReadOverAll()
+{
+    Loupe loupe{.frame = QRectF(0.0, 0.0, 120.0, 120.0), .magnification = 3.0};
+    loupe.camera.resize(loupe.frame.size());
+    loupe.list.background = theme().scene;
+    loupe.list.discs.push_back({.centre = {}, .radius = 1e3, .fill = Qt::red});
+    QImage image(120, 120, QImage::Format_RGB32);
+    QPainter painter(&image);
+    paintLoupe(painter, loupe, QFont());
+    painter.end();
+    QCOMPARE(image.pixelColor(20, 100), QColor(Qt::red));
+    QCOMPARE(image.pixelColor(114, 6), theme().scene); // beside the last letter
 }
 
 void TestSceneView::loupeIsOnlyWhereItShowsMore()

@@ -30,6 +30,20 @@ constexpr double leastGain = 1.5;     ///< times as large as the scene, else it 
 constexpr double contactRoom = 40.0;  ///< px around the hit that stay free
 constexpr double freePrice = 1.0;     ///< of a corner that covers no circle is less
 
+/// On a ground of its own: arrows may end there.
+void paintMagnification(QPainter &painter, const QRectF &inside, double magnification,
+                        const QFont &font)
+{
+    constexpr auto place = Qt::AlignTop | Qt::AlignRight;
+    const QString text = LoupeText::tr("%1×", "magnification").arg(magnification, 0, 'f', 1);
+    const QRectF room = inside.adjusted(6.0, 3.0, -6.0, -3.0);
+    painter.setFont(labelFont(font));
+    painter.fillRect(painter.boundingRect(room, place, text).adjusted(-2.0, 0.0, 2.0, 0.0),
+                     theme().scene);
+    painter.setPen(theme().mutedText);
+    painter.drawText(room, place, text);
+}
+
 } // namespace
 
 std::optional<Camera> cameraAtHit(const SceneMoment &moment, int selected, QSizeF viewport)
@@ -96,10 +110,7 @@ void paintLoupe(QPainter &painter, const Loupe &loupe, const QFont &font)
     near.setLayoutDirection(Qt::LeftToRight);
     paintShapes(near, loupe.list, loupe.camera);
     paintLabels(near, loupe.list, loupe.camera, font);
-    near.setFont(labelFont(font));
-    near.setPen(theme().mutedText);
-    near.drawText(inside.adjusted(6.0, 3.0, -6.0, -3.0), Qt::AlignTop | Qt::AlignRight,
-                  LoupeText::tr("%1×", "magnification").arg(loupe.magnification, 0, 'f', 1));
+    paintMagnification(near, inside, loupe.magnification, font);
     near.setPen(QPen(theme().mutedText, 1.0));
     near.drawRect(inside.adjusted(0.5, 0.5, -0.5, -0.5));
     near.end();
