@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/keys_dialog.h"
 
+#include "views/focus_ring.h"
+
 #include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QScrollBar>
@@ -60,6 +62,7 @@ KeysDialog::KeysDialog(const std::vector<std::vector<KeyTable>> &columns, QWidge
     page->setAccessibleName(windowTitle());
     page->setFrameShape(QFrame::NoFrame);
     page->setTabChangesFocus(true);
+    ringFocus(page);
     page->setHtml(QStringLiteral("<table>%1</table>").arg(rowOf(cells)));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -7,6 +7,7 @@
 #include "model/files/file_io.h"
 #include "tasks/lab_report/ending_page.h"
 #include "views/drawing_object.h"
+#include "views/focus_ring.h"
 #include "views/report_printer.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -31,6 +32,7 @@ ReportDialog::ReportDialog(Workbench &workbench, bool finished, QWidget *parent)
     setWindowTitle(tr("Looking back at %1").arg(workbench.lab().title));
     m_page->setAccessibleName(tr("The steps of the lab, and what was hard"));
     m_page->setOpenLinks(false);
+    ringFocus(m_page);
     m_message->setWordWrap(true);
     // Made in the order in which they stand: else Tab does not come to the last.
     auto *buttons = new QDialogButtonBox(this);

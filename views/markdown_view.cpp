@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/markdown_view.h"
 
-#include "views/spoken_formula.h"
-
 #include "views/bound_units.h"
+#include "views/focus_ring.h"
 #include "views/formula_renderer.h"
 #include "views/list_numbers.h"
 #include "views/markdown_style.h"
 #include "views/picture_objects.h"
+#include "views/spoken_formula.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
@@ -41,6 +41,7 @@ MarkdownView::MarkdownView(QWidget *parent, FormulaRenderer *renderer)
     , m_pictures(new PictureObjects(this))
 {
     setFrameShape(QFrame::NoFrame);
+    ringFocus(this);
     setOpenLinks(false);
     setUndoRedoEnabled(false);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/task_pane/instructions_pane.h"
 
+#include "views/focus_ring.h"
 #include "views/formula_renderer.h"
 #include "views/icons.h"
 #include "views/markdown_view.h"
@@ -97,6 +98,7 @@ void InstructionsPane::makeLayout()
     for (MarkdownView *view : {m_instructions, m_rest, m_hints})
         addView(view);
     m_scroll = new QScrollArea(this);
+    ringFocus(m_scroll);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/task_pane/result_pane.h"
 
+#include "views/focus_ring.h"
 #include "views/on_change.h"
 #include "views/task_pane/check_row.h"
 #include "views/task_pane/finding_card.h"
@@ -35,6 +36,7 @@ ResultPane::ResultPane(FormulaRenderer *renderer, QWidget *parent)
     m_staleNote->setWordWrap(true);
     setKind(m_staleNote, "muted");
     m_scroll = new QScrollArea(this);
+    ringFocus(m_scroll);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
