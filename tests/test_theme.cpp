@@ -4,9 +4,12 @@
 #include "views/theme.h"
 #include "views/theme_override.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
@@ -130,6 +133,8 @@ private slots:
     void paintedAsTheyAreIconsCanBeSeen();
     void unknownIconIsNull();
     void circlesDifferByDash();
+    void whatOpensHasAnEdge_data();
+    void whatOpensHasAnEdge();
 };
 
 void TestTheme::contrastOfBlackOnWhiteIs21()
@@ -376,6 +381,37 @@ void TestTheme::circlesDifferByDash()
     QCOMPARE(circleColour(QStringLiteral("no colour")), QColor(0x1e90ff));
     applyTheme(ThemeChoice::Dark);
     QVERIFY(wcag(circleColour(QStringLiteral("#000000")), theme().scene) >= 2.9);
+}
+
+void TestTheme::whatOpensHasAnEdge_data()
+{
+    QTest::addColumn<ThemeChoice>("choice");
+    QTest::newRow("light") << ThemeChoice::Light;
+    QTest::newRow("dark") << ThemeChoice::Dark;
+    QTest::newRow("high contrast") << ThemeChoice::HighContrast;
+}
+
+/// A list has the keyboard as it opens, over what is as white.
+void TestTheme::whatOpensHasAnEdge()
+{
+    QFETCH(ThemeChoice, choice);
+    applyTheme(choice);
+    QComboBox box;
+    box.addItems({QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
+    box.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&box));
+    box.showPopup();
+    QTRY_VERIFY(box.view()->hasFocus());
+    const QImage list = box.view()->grab().toImage();
+    QVERIFY(wcag(list.pixelColor(0, list.height() / 2), theme().panel) >= 3.0);
+    box.hidePopup();
+
+    QMenu menu;
+    menu.addAction(QStringLiteral("one"));
+    menu.popup({20, 20});
+    const QImage opened = menu.grab().toImage();
+    QVERIFY(wcag(opened.pixelColor(0, opened.height() / 2), theme().panel) >= 3.0);
+    menu.hide();
 }
 
 QTEST_MAIN(TestTheme)

@@ -44,7 +44,7 @@ const QString menus = QStringLiteral(R"(
 QMenuBar { background: @window; border-bottom: 1px solid @border; padding: 0 4px; }
 QMenuBar::item { padding: 5px 10px; background: transparent; border-radius: 4px; }
 QMenuBar::item:selected { background: @accentSoft; }
-QMenu { background: @panel; border: 1px solid @border; padding: 4px; }
+QMenu { background: @panel; border: 1px solid @controlBorder; padding: 4px; }
 QMenu::item { padding: 6px 24px 6px 8px; border-radius: 4px; }
 QMenu::item:selected { background: @accentSoft; color: @text; }
 QMenu::item:disabled { color: @disabled; }
@@ -121,7 +121,8 @@ QComboBox::down-arrow { image: url(:/icons/chevron-down.svg); width: @chevron; h
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; width: @spinButton; }
 QAbstractSpinBox::up-arrow { image: url(:/icons/chevron-up.svg); width: @littleChevron; height: @littleChevron; }
 QAbstractSpinBox::down-arrow { image: url(:/icons/chevron-down.svg); width: @littleChevron; height: @littleChevron; }
-QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; padding: 2px;
+QComboBox QAbstractItemView, QComboBox QAbstractItemView:focus {
+    background: @panel; border: 1px solid @controlBorder; padding: 2px;
     selection-background-color: @accentSoft; selection-color: @text; outline: none; }
 QRadioButton::indicator { width: @plain; height: @plain; border: 1px solid @mutedText;
     border-radius: @round; background: @panel; }
