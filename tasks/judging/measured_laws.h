@@ -38,6 +38,9 @@ public:
             m_pair.emplace(m_program, m_ground, flight());
         return *m_pair;
     }
+    /// Whether they were measured already.
+    [[nodiscard]] bool knowsWalls() const { return m_walls.has_value(); }
+    [[nodiscard]] bool knowsPair() const { return m_pair.has_value(); }
 
 private:
     const QString *m_program;
