@@ -202,6 +202,10 @@ void TestDrawnValues::everyValueOfARangeIsTried()
     const std::vector<TriedRange> few = triedRanges(files, studentsToTry(files, 1, 1));
     QCOMPARE(few[0].least, 0.6);
     QCOMPARE(few[0].most, 0.9);
+    // Of 500 numbers, and no more.
+    QCOMPARE(studentsToTry(files, 500, 500).size(), 500);
+    QCOMPARE(studentsToTry(files, 500, 500).last(), QStringLiteral("500"));
+    QCOMPARE(studentsToTry(files, 600, 600).size(), 500);
     QVERIFY(studentsToTry(labWith(values({{QStringLiteral("k"), 2}})), 10, 24).isEmpty());
     // The reference fails for the largest alone.
     LabFiles last = files;

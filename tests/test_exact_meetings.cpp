@@ -21,6 +21,7 @@ private slots:
     void aGrazeIsNoHit();
     void aBreakIsSolvedAsOne_data();
     void aBreakIsSolvedAsOne();
+    void whatFallsSlowlyMeetsWhatLies();
     void whatIsPressedStaysOnTheFloor();
 };
 
@@ -121,6 +122,24 @@ void TestExactMeetings::aHitOnTwoThatLieLeavesThemOnTheFloor()
             QCOMPARE(run[1].velocity.y, 0.0);
         }
     }
+}
+
+/// Where gravity is weak the one falls 0.4 m onto the other in √(2 · 0.4 / 0.3) s.
+void TestExactMeetings::whatFallsSlowlyMeetsWhatLies()
+{
+    Preset preset = scene({circle({0, -3.8}), circle({0, -3.0})}, exact);
+    preset.gravity = {0, -0.3};
+    preset.restitution = 0.5;
+    Run run(preset);
+    run.steps(105);
+    QVERIFY(!run.hits.empty());
+    const Hit *first = nullptr;
+    for (const Hit &hit : run.hits) {
+        if (hit.b == 1 && !first)
+            first = &hit;
+    }
+    QVERIFY(first);
+    COMPARE_NEAR(first->time, std::sqrt(0.8 / 0.3), 1e-9);
 }
 
 QTEST_APPLESS_MAIN(TestExactMeetings)

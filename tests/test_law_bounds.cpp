@@ -25,6 +25,9 @@ private slots:
     void leaderIsFollowedExactly_data();
     void leaderIsFollowedExactly();
 
+    void whoIsPutAtAnothersPlaceFollows_data();
+    void whoIsPutAtAnothersPlaceFollows();
+
 private:
     [[nodiscard]] LawBench bench(const char *step) const
     {
@@ -196,6 +199,28 @@ void TestLawBounds::leaderIsFollowedExactly()
     const MeasuredFlight measured(&program, on.ground);
     QCOMPARE(measured.at({}, on.ground.timesteps.front(), 1).leader, leader);
     QCOMPARE(measured.at({}, on.ground.timesteps.front(), 0).leader, -1);
+}
+
+void TestLawBounds::whoIsPutAtAnothersPlaceFollows_data()
+{
+    QTest::addColumn<int>("follower");
+    QTest::newRow("the first") << 0;
+    QTest::newRow("the second") << 1;
+}
+
+void TestLawBounds::whoIsPutAtAnothersPlaceFollows()
+{
+    QFETCH(int, follower);
+    const LawBench on = bench("L42T12");
+    const QString program = QStringLiteral("function on_update(h) for _, c in ipairs(circles) do "
+                                           "c.position = c.position + c.velocity * h end "
+                                           "circle%1.position = circle%2.position end")
+                                .arg(follower + 1)
+                                .arg(2 - follower);
+    const MeasuredFlight measured(&program, on.ground);
+    const double h = on.ground.timesteps.front();
+    QCOMPARE(measured.at({}, h, follower).follows, 1 - follower);
+    QCOMPARE(measured.at({}, h, 1 - follower).follows, -1);
 }
 
 QTEST_GUILESS_MAIN(TestLawBounds)

@@ -24,6 +24,8 @@ private slots:
     void everyShotComesToAWallInTime_data();
     void everyShotComesToAWallInTime();
     void cornersAreAimedAt();
+    void shotsAreNamedByTheirDirection_data();
+    void shotsAreNamedByTheirDirection();
     void slowHitsDivideAStep();
 };
 
@@ -156,6 +158,30 @@ void TestShotScenes::cornersAreAimedAt()
         const Vec2 corner{std::copysign(room, c.velocity.x), std::copysign(room, c.velocity.y)};
         const double off = std::abs(directionOf(c.velocity) - directionOf(corner - c.position));
         QVERIFY2(off < 5.0, qPrintable(QString::number(off)));
+    }
+}
+
+void TestShotScenes::shotsAreNamedByTheirDirection_data()
+{
+    QTest::addColumn<QString>("kind");
+    QTest::newRow("directions") << QStringLiteral("directions");
+    QTest::newRow("corners") << QStringLiteral("corners");
+}
+
+/// "circle 1 towards 45.0°", from 0 to 360.
+void TestShotScenes::shotsAreNamedByTheirDirection()
+{
+    QFETCH(QString, kind);
+    for (const Variant &variant : makeVariants(two(), shots(kind), 1)) {
+        const auto &c = variant.preset.circles;
+        const QString told =
+            variant.name.section(QStringLiteral(" towards "), 1).section(QChar(0xb0), 0, 0);
+        bool isNumber = false;
+        const double degrees = told.toDouble(&isNumber);
+        QVERIFY2(isNumber && degrees >= 0.0 && degrees <= 360.0, qPrintable(variant.name));
+        const double error =
+            std::remainder(degrees - directionOf(c[shotOf(variant)].body.velocity), 360.0);
+        QVERIFY2(std::abs(error) < 0.051, qPrintable(variant.name));
     }
 }
 

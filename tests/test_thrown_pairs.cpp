@@ -18,6 +18,7 @@ private slots:
     void halfTheDistanceIsMissedByNone_data();
     void halfTheDistanceIsMissedByNone();
     void meetingThatTakesStepsIsOne();
+    void pushThatHardlyIsOneIsNone();
     void laterHitIsAnother();
 };
 
@@ -112,6 +113,25 @@ void TestThrownPairs::meetingThatTakesStepsIsOne()
     QVERIFY(own.pair().isJudged);
     QCOMPARE(own.pair().ownContacts, 2);
     QVERIFY(!own.pair().ranThrough);
+}
+
+/// From 0.1 m/s on a push counts as the answer to a meeting.
+void TestThrownPairs::pushThatHardlyIsOneIsNone()
+{
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    for (const auto &[push, contacts] : {std::pair("0.12", 1), std::pair("0.08", 0)}) {
+        HitLaw law{.approach = QStringLiteral("closing > 0 and not done")};
+        law.answer = QStringLiteral("p.velocity = p.velocity - %1 * n "
+                                    "q.velocity = q.velocity + %1 * n done = true")
+                         .arg(QLatin1String(push));
+        law.mass = QStringLiteral("1");
+        LawProgram once{.walls = wallsOf(wallWays[1], "c.radius", "1"),
+                        .hit = hitOf(hitWays[1], law)};
+        once.start = QStringLiteral("done = false");
+        const QString program = written(once, structures[0]);
+        const MeasuredLaws own(&program, bench.ground);
+        QCOMPARE(own.pair().ownContacts, contacts);
+    }
 }
 
 /// Two hits of the same circles with lines of centres that differ by more than a quarter of a turn,

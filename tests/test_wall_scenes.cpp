@@ -156,6 +156,7 @@ void TestWallScenes::lobsComeToTheCeilingEverSlower()
         QVERIFY(std::abs(gap - left.back() * gain * preset.timestep) < 1e-12);
         QVERIFY(0.4 < c.velocity.x && c.velocity.x < 0.45);
         QCOMPARE(drop.again, 0);
+        QCOMPARE(drop.step, 8); // nothing to see until the end
     }
     QCOMPARE(left.size(), 5U);
     for (std::size_t i = 0; i < left.size(); ++i)
@@ -177,6 +178,7 @@ void TestWallScenes::dropsFallFromUnlikeHeights()
         least = std::min(least, drop.restitution);
         QVERIFY(0.4 < c.velocity.x && c.velocity.x < 0.45 && c.velocity.y == 0.0);
         QVERIFY(std::abs(drop.depth) < 0.05);
+        QCOMPARE(drop.step, 70);
     }
     QCOMPARE(heights.size(), 4U);
     QVERIFY(0.01 < heights[0] && heights[0] < 0.0115);
