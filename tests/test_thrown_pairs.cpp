@@ -17,6 +17,7 @@ private slots:
     void hitsAreSeenAlongTheLineThatIsMeant();
     void halfTheDistanceIsMissedByNone_data();
     void halfTheDistanceIsMissedByNone();
+    void obliqueHitsComeFromBothSidesAlike();
     void meetingThatTakesStepsIsOne();
     void pushThatHardlyIsOneIsNone();
     void laterHitIsAnother();
@@ -98,6 +99,31 @@ void TestThrownPairs::halfTheDistanceIsMissedByNone()
         QVERIFY(hit.isMet());
     for (const PairHit &hit : own.pair().contacts)
         QVERIFY(hit.isMet());
+}
+
+/// Where circle 2 rests: one straight, and two a third aside, one to either side, with different
+/// speeds.
+void TestThrownPairs::obliqueHitsComeFromBothSidesAlike()
+{
+    int steps = 0;
+    for (const Task &each : m_lab.tasks) {
+        const LawBench bench(each);
+        const Ground::Pair &pair = bench.ground.pair;
+        if (!pair.asked || !pair.oblique || pair.bothMove)
+            continue;
+        ++steps;
+        const std::vector<PairHit> &modes = bench.right.pair().modes;
+        QCOMPARE(modes.size(), 3U);
+        const auto slope = [&](std::size_t i) {
+            const PairVelocities &v = modes[i].meeting.velocities;
+            return v.along2 == 0.0 && v.across2 == 0.0 ? v.across1 / v.along1 : 1.0;
+        };
+        QCOMPARE(slope(0), 0.0);
+        QVERIFY(std::abs(slope(1) - 1.0 / 3.0) < 1e-9);
+        QVERIFY(std::abs(slope(1) + slope(2)) < 1e-9);
+        QVERIFY(modes[2].meeting.closing() - modes[1].meeting.closing() > 0.2);
+    }
+    QVERIFY(steps > 0);
 }
 
 /// Of the closing speed three tenths are answered in every step that they are in touch: one
