@@ -49,6 +49,7 @@ private slots:
     void noStepNoFrame();
     void speedScalesTheSteps_data();
     void speedScalesTheSteps();
+    void ofWhatIsLateHalfAStepIsMadeUpForMoreSlowly();
     void aStallIsCapped_data();
     void aStallIsCapped();
     void afterAStallItGoesOnAsBefore();
@@ -138,6 +139,24 @@ void TestSimulationClock::speedScalesTheSteps()
     QCOMPARE(static_cast<int>(listener.steps.size()), steps);
     for (const double step : listener.steps)
         QCOMPARE(step, 0.015625);
+}
+
+/// Three quarters of a step are late: at half the speed a half, at twice the speed all.
+void TestSimulationClock::ofWhatIsLateHalfAStepIsMadeUpForMoreSlowly()
+{
+    constexpr double step = 0.0625; // s
+    const auto stepsAfter = [](double speed, double parts) {
+        SimulationClock clock(step);
+        Listener listener(clock);
+        clock.tick(0.75 * step);
+        clock.setSpeed(speed);
+        clock.tick(parts * step / speed);
+        return listener.steps.size();
+    };
+    QCOMPARE(stepsAfter(0.5, 0.5), std::size_t{1});
+    QCOMPARE(stepsAfter(0.5, 0.4375), std::size_t{0});
+    QCOMPARE(stepsAfter(2.0, 0.25), std::size_t{1});
+    QCOMPARE(stepsAfter(2.0, 0.1875), std::size_t{0});
 }
 
 void TestSimulationClock::aStallIsCapped_data()
