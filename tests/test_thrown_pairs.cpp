@@ -20,6 +20,8 @@ private slots:
     void obliqueHitsComeFromBothSidesAlike();
     void meetingThatTakesStepsIsOne();
     void pushThatHardlyIsOneIsNone();
+    void answersAreAlikeWhereAllAre_data();
+    void answersAreAlikeWhereAllAre();
     void laterHitIsAnother();
 };
 
@@ -158,6 +160,29 @@ void TestThrownPairs::pushThatHardlyIsOneIsNone()
         const MeasuredLaws own(&program, bench.ground);
         QCOMPARE(own.pair().ownContacts, contacts);
     }
+}
+
+void TestThrownPairs::answersAreAlikeWhereAllAre_data()
+{
+    QTest::addColumn<QString>("mass");
+    QTest::addColumn<bool>("alike");
+    QTest::newRow("another unit") << "1000 * c.density * c.radius ^ 3" << true;
+    QTest::newRow("radii alone") << "c.density * c.radius ^ 2" << false;
+    QTest::newRow("densities alone") << "c.radius ^ 3" << false;
+}
+
+/// Equal circles are answered alike by all of them.
+void TestThrownPairs::answersAreAlikeWhereAllAre()
+{
+    QFETCH(QString, mass);
+    QFETCH(bool, alike);
+    const LawBench bench(task(QStringLiteral("L42T16")));
+    const QString right = hitting(QStringLiteral("L42T16"), {});
+    const QString other = hitting(QStringLiteral("L42T16"), {.mass = mass});
+    const MeasuredLaws a(&right, bench.ground);
+    const MeasuredLaws b(&other, bench.ground);
+    QCOMPARE(a.pair().responseIsLike(b.pair()), alike);
+    QCOMPARE(b.pair().responseIsLike(a.pair()), alike);
 }
 
 /// Two hits of the same circles with lines of centres that differ by more than a quarter of a turn,
