@@ -107,6 +107,19 @@ void TestLawBounds::hitsBearADriftOfATenth()
         const MeasuredLaws own(&program, on.ground);
         QCOMPARE(own.pair().isJudged, drift < 0.1);
     }
+    // They are told to have come as fast as was meant.
+    const LawBench both = bench("L42T16");
+    const QString program = drifting(way, 0.0, false);
+    const MeasuredLaws own(&program, both.ground);
+    QVERIFY(!own.pair().equals.empty());
+    for (const PairHit &hit : own.pair().equals) {
+        const PairVelocities came = hit.cameParts();
+        const PairVelocities &meant = hit.meeting.velocities;
+        QVERIFY(std::abs(came.along1 - meant.along1) < 0.01);
+        QVERIFY(std::abs(came.along2 - meant.along2) < 0.01);
+        QVERIFY(std::abs(came.across1 - meant.across1) < 0.01);
+        QVERIFY(std::abs(came.across2 - meant.across2) < 0.01);
+    }
 }
 
 void TestLawBounds::roundingIsNoPull_data()
