@@ -76,7 +76,6 @@ void CodeDesk::wireEditor()
         // Of a step that is opened again what was done in it can be undone.
         const QString work = code->workspace().folder() + QLatin1Char(' ') + m_workbench.lab().id;
         m_pane.editor().openDocument(work + QLatin1Char(' ') + code->taskId(), text);
-        showState();
     });
     connect(code, &CodeSession::textReplaced, this, [this](const QString &text) {
         m_pane.hideSolution();
@@ -121,8 +120,8 @@ void CodeDesk::wireSimulation()
             clearError();
     });
     connect(&m_workbench, &Workbench::modeChanged, this, &CodeDesk::showState);
-    // A step that opens becomes active last.
-    connect(&m_workbench, &Workbench::taskChanged, this, &CodeDesk::showState);
+    // In the language of the lab's texts.
+    connect(&m_workbench, &Workbench::labChanged, this, &CodeDesk::showState);
 }
 
 void CodeDesk::showState()

@@ -91,7 +91,7 @@ signals:
     void setAside(const QString &name, const QString &kept);
     void versionsChanged();
     void edited();
-    void stateChanged(); ///< saved, fault
+    void stateChanged(); ///< saved, fault; also after opened(), when the program is in place
     void paused(const cradle::StudentScript::Pause &pause);
     void steppingEnded();
     void failed(const cradle::Error &error); ///< could not be saved

@@ -56,8 +56,6 @@ KeepingDesk::KeepingDesk(Workbench &workbench, VersionsPane &versions, NotesPane
     connect(code, &CodeSession::textReplaced, this, &KeepingDesk::showPresent);
     connect(code, &CodeSession::stateChanged, this, &KeepingDesk::showPresent);
     connect(&workbench, &Workbench::modeChanged, this, &KeepingDesk::showPresent);
-    // A step that opens becomes active last.
-    connect(&workbench, &Workbench::taskChanged, this, &KeepingDesk::showPresent);
     connect(&versions, &VersionsPane::goBackRequested, code, &CodeSession::replace);
     // Before the workspace, or the step, is another one.
     connect(code, &CodeSession::opened, this, &KeepingDesk::keepNote);
