@@ -18,10 +18,11 @@ namespace {
 constexpr QSize firstSize{1440, 900}; ///< px
 
 /// Only what is made after they are installed has these roles.
-Panes panesWithRoles(QMainWindow &window, Workbench &workbench, RunCurves &curves)
+Panes panesWithRoles(QMainWindow &window, Workbench &workbench, RunCurves &curves, TimeWindow &time,
+                     PinnedRuns &pins)
 {
     installAccessibleRoles();
-    return {window, workbench, curves};
+    return {window, workbench, curves, time, pins};
 }
 
 } // namespace
@@ -30,7 +31,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     : m_workbench(workbench)
     , m_settings(settings)
     , m_curves(workbench.simulation())
-    , m_panes(panesWithRoles(*this, workbench, m_curves))
+    , m_panes(panesWithRoles(*this, workbench, m_curves, m_timeWindow, m_pins))
     , m_sounds(workbench.simulation(), *m_panes.notice)
     , m_codeDesk(workbench, *m_panes.code, settings)
     , m_keeping(workbench, *m_panes.versions, *m_panes.notes)
@@ -39,7 +40,7 @@ MainWindow::MainWindow(Workbench &workbench, QSettings &settings, ThemeChoice th
     , m_stepDesk(workbench, m_panes, m_room, settings)
     , m_verdictDesk(workbench, m_panes, m_codeDesk)
     , m_sceneDesk(workbench, m_panes)
-    , m_runDesk(workbench, m_panes, m_curves, m_sounds)
+    , m_runDesk(workbench, m_panes, m_curves, m_pins, m_sounds)
     , m_workNotices(workbench, *m_panes.notice, settings, *this)
     , m_dialogs(workbench, m_keeping, *m_panes.notice, *this)
     , m_opening(workbench, *m_panes.notice, *this)

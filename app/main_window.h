@@ -19,6 +19,7 @@
 #include "app/verdict_desk.h"
 #include "app/work_dialogs.h"
 #include "app/work_notices.h"
+#include "views/charts/time_window.h"
 
 #include <QMainWindow>
 
@@ -72,6 +73,8 @@ private:
     Workbench &m_workbench;
     QSettings &m_settings;
     RunCurves m_curves;
+    TimeWindow m_timeWindow;
+    PinnedRuns m_pins;
     Panes m_panes;
     Sounds m_sounds;
     CodeDesk m_codeDesk;

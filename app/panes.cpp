@@ -8,6 +8,7 @@
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
+#include "views/charts/pinned_runs.h"
 #include "views/charts/plots_chart.h"
 #include "views/charts/speed_histogram.h"
 #include "views/code/code_editor.h"
@@ -57,8 +58,10 @@ QWidget *stacked(QWidget *upper, QWidget *lower, QWidget *parent)
 
 } // namespace
 
-Panes::Panes(QMainWindow &window, Workbench &workbench, RunCurves &curves)
-    : transport(new TransportBar(workbench.simulation(), &window))
+Panes::Panes(QMainWindow &mainWindow, Workbench &workbench, RunCurves &curves, TimeWindow &time,
+             PinnedRuns &pins)
+    : window(mainWindow)
+    , transport(new TransportBar(workbench.simulation(), &window))
     , notice(new NoticeBar(&window))
     , topBar(fixedBar(window, Qt::TopToolBarArea, stacked(transport, notice, &window),
                       QStringLiteral("transport")))
@@ -78,14 +81,14 @@ Panes::Panes(QMainWindow &window, Workbench &workbench, RunCurves &curves)
     , plots(new PlotsChart(workbench.simulation(), curves, &window))
     , speeds(new SpeedHistogram(workbench.simulation(), &window))
     , phase(new PhaseChart(workbench.simulation(), &window))
-    , taskDock(addDock(window, task, "task", Qt::LeftDockWidgetArea))
-    , codeDock(addDock(window, code, "code", Qt::BottomDockWidgetArea))
-    , inspectorDock(addDock(window, inspector, "inspector", Qt::BottomDockWidgetArea))
-    , versionsDock(addDock(window, versions, "versions", Qt::BottomDockWidgetArea))
-    , notesDock(addDock(window, notes, "notes", Qt::BottomDockWidgetArea))
-    , momentumDock(addDock(window, momentum, "momentum", Qt::RightDockWidgetArea))
-    , energyDock(addDock(window, energy, "energy", Qt::RightDockWidgetArea))
-    , valuesDock(addDock(window, values, "values", Qt::RightDockWidgetArea))
+    , taskDock(addDock(task, "task", Qt::LeftDockWidgetArea))
+    , codeDock(addDock(code, "code", Qt::BottomDockWidgetArea))
+    , inspectorDock(addDock(inspector, "inspector", Qt::BottomDockWidgetArea))
+    , versionsDock(addDock(versions, "versions", Qt::BottomDockWidgetArea))
+    , notesDock(addDock(notes, "notes", Qt::BottomDockWidgetArea))
+    , momentumDock(addDock(momentum, "momentum", Qt::RightDockWidgetArea))
+    , energyDock(addDock(energy, "energy", Qt::RightDockWidgetArea))
+    , valuesDock(addDock(values, "values", Qt::RightDockWidgetArea))
 {
     announcer->follow(workbench.simulation());
     window.setCentralWidget(scene);
@@ -94,11 +97,23 @@ Panes::Panes(QMainWindow &window, Workbench &workbench, RunCurves &curves)
     values->addTab(plots, plots->windowTitle());
     values->addTab(speeds, speeds->windowTitle());
     values->addTab(phase, phase->windowTitle());
+    for (PlotPane *pane : plotPanes())
+        pane->share(time, pins);
+}
+
+Panes::~Panes()
+{
+    window.hide(); // nothing is laid out anew for what is left
+    for (QDockWidget *dock : docks)
+        delete dock;
+    delete window.takeCentralWidget();
+    delete bottomBar;
+    delete topBar;
+    delete announcer;
 }
 
 /// By its name a kept layout knows it.
-QDockWidget *Panes::addDock(QMainWindow &window, QWidget *widget, const char *name,
-                            Qt::DockWidgetArea area)
+QDockWidget *Panes::addDock(QWidget *widget, const char *name, Qt::DockWidgetArea area)
 {
     auto *dock = new QDockWidget(&window);
     dock->setObjectName(QLatin1String(name));

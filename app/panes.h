@@ -27,11 +27,13 @@ class NoticeBar;
 class ChartPane;
 class PhaseChart;
 class PlotPane;
+class PinnedRuns;
 class PlotsChart;
 class RunCurves;
 class SceneView;
 class SpeedHistogram;
 class TaskPane;
+class TimeWindow;
 class Timeline;
 class TransportBar;
 class ValuesPane;
@@ -39,11 +41,16 @@ class VersionsPane;
 class Workbench;
 enum class Mode;
 
-/// Every part of the window, by its name. The window owns them.
+/// Every part of the window, by its name. They lie in the window, and go before what they show.
 struct Panes {
     Q_DECLARE_TR_FUNCTIONS(Panes)
+    Q_DISABLE_COPY_MOVE(Panes)
 public:
-    Panes(QMainWindow &window, Workbench &workbench, RunCurves &curves);
+    /// Fills \p window; it, and all that the panes show, outlives them.
+    /// \param time, pins  shared by the charts
+    Panes(QMainWindow &window, Workbench &workbench, RunCurves &curves, TimeWindow &time,
+          PinnedRuns &pins);
+    ~Panes();
 
     /// Titles of docks and tabs, in the language in force.
     void retranslate();
@@ -54,6 +61,7 @@ public:
     [[nodiscard]] std::array<ChartPane *, 3> charts() const; ///< those over time
     [[nodiscard]] std::array<PlotPane *, 4> plotPanes() const;
 
+    QMainWindow &window;
     TransportBar *transport;
     NoticeBar *notice;
     QToolBar *topBar; ///< holds both
@@ -85,8 +93,7 @@ public:
     QDockWidget *valuesDock;
 
 private:
-    [[nodiscard]] QDockWidget *addDock(QMainWindow &window, QWidget *widget, const char *name,
-                                       Qt::DockWidgetArea area);
+    [[nodiscard]] QDockWidget *addDock(QWidget *widget, const char *name, Qt::DockWidgetArea area);
 };
 
 } // namespace cradle

@@ -17,10 +17,12 @@
 
 namespace cradle {
 
-RunDesk::RunDesk(Workbench &workbench, Panes &panes, const RunCurves &curves, Sounds &sounds)
+RunDesk::RunDesk(Workbench &workbench, Panes &panes, const RunCurves &curves, PinnedRuns &pins,
+                 Sounds &sounds)
     : m_workbench(workbench)
     , m_panes(panes)
     , m_curves(curves)
+    , m_pins(pins)
     , m_sounds(sounds)
 {
     wireCharts();
@@ -30,7 +32,6 @@ void RunDesk::wireCharts()
 {
     Simulation *simulation = &m_workbench.simulation();
     for (PlotPane *pane : m_panes.plotPanes()) {
-        pane->share(m_timeWindow, m_pins);
         connect(pane, &PlotPane::seekRequested, simulation, [simulation](double time) {
             simulation->seek(simulation->recording().indexAt(time));
         });

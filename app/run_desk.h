@@ -5,7 +5,6 @@
 #include "tasks/runs/run_tables.h"
 #include "views/charts/pinned_runs.h"
 #include "views/charts/run_curves.h"
-#include "views/charts/time_window.h"
 
 #include <QObject>
 
@@ -21,10 +20,11 @@ class RunDesk final : public QObject
     Q_OBJECT
 public:
     /// \param curves  of the run that goes on, which the charts show
-    RunDesk(Workbench &workbench, Panes &panes, const RunCurves &curves, Sounds &sounds);
+    /// \param pins    which the charts show, too
+    RunDesk(Workbench &workbench, Panes &panes, const RunCurves &curves, PinnedRuns &pins,
+            Sounds &sounds);
 
     [[nodiscard]] PinnedRuns &pins() { return m_pins; }
-    [[nodiscard]] TimeWindow &timeWindow() { return m_timeWindow; }
 
 public slots:
     void pinRun();          ///< keeps the run to be compared with later ones
@@ -39,9 +39,8 @@ private:
     Workbench &m_workbench;
     Panes &m_panes;
     const RunCurves &m_curves;
+    PinnedRuns &m_pins;
     Sounds &m_sounds;
-    TimeWindow m_timeWindow;
-    PinnedRuns m_pins;
 };
 
 } // namespace cradle

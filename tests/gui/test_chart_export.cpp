@@ -99,7 +99,7 @@ void TestChartExport::tableHasTheRecordedNumbers()
 
 void TestChartExport::tableIsOfTheWindow()
 {
-    m_open->window.runDesk().timeWindow().zoomTo({1.0, 2.0}, {0.0, 4.0});
+    m_open->window.phaseChart().timeWindow().zoomTo({1.0, 2.0}, {0.0, 4.0});
     const auto rows = cellsOf(m_momentum->table());
     QVERIFY(rows[1][0].toDouble() >= 1.0 && rows[1][0].toDouble() < 1.02);
     QVERIFY(rows.last()[0].toDouble() <= 2.0 && rows.last()[0].toDouble() > 1.98);
@@ -223,7 +223,7 @@ void TestChartExport::svgIsParsed()
 /// A drawing has no clip, so the curves themselves must end at the plot.
 void TestChartExport::zoomedSvgStaysInItsPlot()
 {
-    m_open->window.runDesk().timeWindow().zoomTo({1.0, 1.5}, {0.0, 4.0});
+    m_open->window.phaseChart().timeWindow().zoomTo({1.0, 1.5}, {0.0, 4.0});
     QVERIFY(
         !savePicture(m_momentum->picture(), path(QStringLiteral("z.svg")), QStringLiteral("svg")));
     const QRectF area = m_momentum->plot().plotArea();
