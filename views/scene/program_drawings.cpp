@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/program_drawings.h"
 
+#include "views/scene/slab_clip.h"
 #include "views/theme.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace cradle {
@@ -26,29 +26,17 @@ struct Segment {
     bool wholeTip = true; ///< its end is not cut off
 };
 
-/// Painters cannot take places that are astronomically far off (slab method).
+/// Painters cannot take places that are astronomically far off.
 std::optional<Segment> visiblePart(Vec2 from, Vec2 to, const Camera &camera)
 {
     const Vec2 low = camera.toMetres({-beyond, camera.viewport().height() + beyond});
     const Vec2 high = camera.toMetres({camera.viewport().width() + beyond, -beyond});
     const Vec2 along = to - from;
-    if (!isFinite(along))
+    const auto part = isFinite(along) ? partInside(from, along, low, high) : std::nullopt;
+    if (!part)
         return std::nullopt;
-    double enter = 0.0;
-    double leave = 1.0;
-    const auto clip = [&](double start, double delta, double least, double most) {
-        if (delta == 0.0)
-            return start >= least && start <= most;
-        const double a = (least - start) / delta;
-        const double b = (most - start) / delta;
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-        return enter <= leave;
-    };
-    if (!clip(from.x, along.x, low.x, high.x) || !clip(from.y, along.y, low.y, high.y))
-        return std::nullopt;
-    return Segment{enter > 0.0 ? from + enter * along : from,
-                   leave < 1.0 ? from + leave * along : to, leave >= 1.0};
+    return Segment{part->enter > 0.0 ? from + part->enter * along : from,
+                   part->leave < 1.0 ? from + part->leave * along : to, part->leave >= 1.0};
 }
 
 QString shownText(const QString &text)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/scene/scene_labels.h"
 
+#include "views/scene/slab_clip.h"
+
 #include <QFontInfo>
 
 #include <algorithm>
@@ -29,22 +31,12 @@ constexpr double elsewhereCost = 3.0; ///< at the other anchor
 constexpr int eighths[] = {0, 1, -1, 2, -2, 3, -3, 4};
 constexpr int rings = 3;
 
-/// Whether a part of \p line lies in \p rect (slab method).
+/// Whether a part of \p line lies in \p rect.
 bool crosses(const QLineF &line, const QRectF &rect)
 {
-    double enter = 0.0;
-    double leave = 1.0;
-    const auto clip = [&](double start, double delta, double low, double high) {
-        if (delta == 0.0)
-            return start >= low && start <= high;
-        const double atLow = (low - start) / delta;
-        const double atHigh = (high - start) / delta;
-        enter = std::max(enter, std::min(atLow, atHigh));
-        leave = std::min(leave, std::max(atLow, atHigh));
-        return enter <= leave;
-    };
-    return clip(line.x1(), line.dx(), rect.left(), rect.right())
-           && clip(line.y1(), line.dy(), rect.top(), rect.bottom());
+    return partInside({line.x1(), line.y1()}, {line.dx(), line.dy()}, {rect.left(), rect.top()},
+                      {rect.right(), rect.bottom()})
+        .has_value();
 }
 
 } // namespace
