@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
-#include "tasks/checks/check_library.h"
 #include "tasks/reading/lab_reader.h"
+#include "tests/programs.h"
 
 #include <QTest>
 
@@ -23,13 +23,23 @@ private slots:
 
 void TestCheckKinds::everyKindCanBeJudged()
 {
+    // Two circles that rest upon nothing: some kinds find that right, others say what is wrong.
+    const Observation run = programs::observed(
+        programs::scene({{.position = {-1, 0}}, {.position = {1, 0}}}, {0, -9.81}), 0.5,
+        [](programs::Circles &, double) {});
     std::set<QString> names;
+    std::size_t faults = 0;
     for (const KindInfo &kind : checkKinds()) {
-        QVERIFY2(isCheckKind(kind.name), qPrintable(kind.name));
         QVERIFY2(names.insert(kind.name).second, qPrintable(kind.name));
         QVERIFY2(kind.circles == 1 || kind.circles == 2, qPrintable(kind.name));
+        const CheckSpec check =
+            programs::check(qPrintable(kind.name),
+                            kind.circles == 2 ? std::vector<int>{0, 1} : std::vector<int>{0});
+        const std::optional<Fault> fault = judge(check, run);
+        QVERIFY2(!fault || !fault->message.isEmpty(), qPrintable(kind.name));
+        faults += fault ? 1 : 0;
     }
-    QCOMPARE(names.size(), checkKindNames().size());
+    QVERIFY(faults > 0 && faults < names.size());
 }
 
 void TestCheckKinds::everyParameterIsDescribed_data()

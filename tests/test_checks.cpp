@@ -14,7 +14,6 @@ class TestChecks : public QObject
 {
     Q_OBJECT
 private slots:
-    void kindsAreKnownByName();
     void startIsCompared_data();
     void startIsCompared();
     void countOfCirclesIsCompared();
@@ -62,16 +61,6 @@ QJsonObject integrators(const QStringList &names)
 }
 
 } // namespace
-
-void TestChecks::kindsAreKnownByName()
-{
-    for (const char *kind : {"start", "integrates", "closed_form", "bounces", "stays_inside",
-                             "together", "same_integrator", "passes_through", "collides",
-                             "conserves", "after_contact", "loses_energy", "settles"})
-        QVERIFY2(isCheckKind(QLatin1String(kind)), kind);
-    QVERIFY(!isCheckKind(QStringLiteral("Start")));
-    QVERIFY(!isCheckKind({}));
-}
 
 void TestChecks::startIsCompared_data()
 {

@@ -6,28 +6,6 @@
 
 namespace cradle {
 
-namespace {
-
-/// The same along a given normal.
-Vec2 impulseAlong(const Circle &a, const Circle &b, Vec2 n, double restitution)
-{
-    const double closing = dot(a.velocity - b.velocity, n);
-    if (closing <= 0.0)
-        return {};
-    const double reduced = mass(a) / (mass(a) + mass(b)) * mass(b);
-    return (1.0 + restitution) * reduced * closing * n;
-}
-
-} // namespace
-
-std::optional<Vec2> contactImpulse(const Circle &a, const Circle &b, double restitution)
-{
-    const Vec2 n = normalized(b.position - a.position);
-    if (n == Vec2{})
-        return std::nullopt;
-    return impulseAlong(a, b, n, restitution);
-}
-
 bool respond(CircleLaw law, Circle &a, Circle &b, Vec2 n, double restitution)
 {
     const double closing = dot(a.velocity - b.velocity, n);
@@ -47,7 +25,8 @@ bool respond(CircleLaw law, Circle &a, Circle &b, Vec2 n, double restitution)
         b.velocity += closing * n;
         break;
     case CircleLaw::Impulse: {
-        const Vec2 impulse = impulseAlong(a, b, n, restitution);
+        const double reduced = mass(a) / (mass(a) + mass(b)) * mass(b);
+        const Vec2 impulse = (1.0 + restitution) * reduced * closing * n;
         a.velocity -= impulse / mass(a);
         b.velocity += impulse / mass(b);
         break;

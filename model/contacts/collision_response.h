@@ -4,25 +4,17 @@
 
 #include "model/world/preset.h"
 
-#include <optional>
-
 namespace cradle {
-
-/// Impulse (N s) that a frictionless contact gives to \p b; \p a receives its negative.
-///     J = (1 + e) μ max(0, (v_a − v_b)·n) n,   μ = m_a m_b / (m_a + m_b)
-/// n points from a to b. Source: conserved momentum and Newton's restitution law; derived in
-/// docs/physics.md, 3.
-/// \param restitution  e, from 0 (no rebound) to 1 (elastic)
-/// \return zero if the bodies separate; nullopt if their centres coincide
-[[nodiscard]] std::optional<Vec2> contactImpulse(const Circle &a, const Circle &b,
-                                                 double restitution);
 
 /// What \p law makes of the velocities of two circles that meet along \p n (unit, from a to b):
 ///     stop             v_a' = v_b' = 0
 ///     swap velocities  v_a' = v_b, v_b' = v_a
 ///     swap normal      the parts along n change hands, the parts across it stay
-///     impulse          v' = v ± J/m with the impulse above
-/// Only approaching circles respond, so that touching ones do not stick.
+///     impulse          v_a' = v_a − J/m_a, v_b' = v_b + J/m_b with the impulse of a frictionless
+///                      contact, J = (1 + e) μ (v_a − v_b)·n n and μ = m_a m_b / (m_a + m_b)
+/// Only approaching circles respond, so that touching ones do not stick. Source: conserved momentum
+/// and Newton's restitution law; derived in docs/physics.md, 3.
+/// \param restitution  e, from 0 (no rebound) to 1 (elastic)
 /// \return whether anything changed
 bool respond(CircleLaw law, Circle &a, Circle &b, Vec2 n, double restitution);
 

@@ -52,17 +52,4 @@ std::optional<Fault> judge(const CheckSpec &check, const Observation &observatio
     return judgeOfKind(check, observation);
 }
 
-bool isCheckKind(const QString &kind)
-{
-    return find(kind) != nullptr;
-}
-
-QStringList checkKindNames()
-{
-    QStringList names;
-    for (const auto &entry : library)
-        names.append(QLatin1String(entry.first));
-    return names;
-}
-
 } // namespace cradle

@@ -17,7 +17,8 @@ struct Fault {
     bool checkStopped = false; ///< the check itself has an error: nothing is said of the run
 };
 
-/// Judges \p observation by the kind and the parameters of \p check. Kinds:
+/// Judges \p observation by the kind and the parameters of \p check, see
+/// tasks/checks/check_kinds.h. Kinds:
 ///     start           values that a circle starts with
 ///     integrates      every free step is one of the named integrators under the named gravity
 ///     closed_form     x₀ + v₀t + ½gt² up to the first bounce
@@ -38,11 +39,5 @@ struct Fault {
 ///     bounce_heights  the n-th bounce off the floor reaches h_n = e^(2n) h_0
 /// \return nullopt if nothing is wrong
 [[nodiscard]] std::optional<Fault> judge(const CheckSpec &check, const Observation &observation);
-
-/// Whether that kind exists.
-[[nodiscard]] bool isCheckKind(const QString &kind);
-
-/// The names of all kinds; see tasks/checks/check_kinds.h for their parameters.
-[[nodiscard]] QStringList checkKindNames();
 
 } // namespace cradle

@@ -35,15 +35,6 @@ bool isEventful(const Observation &run, qint64 k)
     return false;
 }
 
-/// How many circles start elsewhere, or otherwise, than the student's; and the gravity.
-std::size_t strangeStarts(const Preset &start, const Observation &run)
-{
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < start.circles.size(); ++i)
-        count += start.circles[i].body == run.circle(static_cast<int>(i), 0) ? 0 : 1;
-    return count + (start.gravity == run.variant.preset.gravity ? 0 : 1);
-}
-
 } // namespace
 
 Evidence compareWithReference(const QString &solution, const Variant &scene, const Observation &run,
@@ -94,9 +85,6 @@ Fit fitOf(const QString &program, const std::vector<Evidence> &all, OneStep::Pla
         if (!evidence.odd.empty())
             fit.shared += static_cast<double>(evidence.oddInAll * (evidence.odd.size() - oddMissed))
                           / static_cast<double>(evidence.odd.size());
-        // In the student's own scene a mistake that starts as he does fits better.
-        if (!evidence.scene->pinned)
-            fit.strange += strangeStarts(known.start(), *evidence.run);
     }
     for (const Evidence &evidence : all) {
         if (!fit.explains()) // and nothing makes up for it

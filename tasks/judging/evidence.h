@@ -42,9 +42,8 @@ struct Fit {
     std::size_t evenMissed = 0;
     std::size_t events = 0; ///< those of the even steps in which something was hit
     std::size_t eventsMissed = 0;
-    double shared = 0.0;     ///< odd steps of all that it explains
-    double claimed = 0.0;    ///< even steps of all in which it does something else
-    std::size_t strange = 0; ///< circles that start otherwise
+    double shared = 0.0;  ///< odd steps of all that it explains
+    double claimed = 0.0; ///< even steps of all in which it does something else
 
     [[nodiscard]] bool explains() const
     {
@@ -55,12 +54,6 @@ struct Fit {
     [[nodiscard]] bool deniesHits() const
     {
         return static_cast<double>(eventsMissed) > spoilt * static_cast<double>(events);
-    }
-    [[nodiscard]] bool isContradicted() const { return 2 * oddMissed > odd; }
-    [[nodiscard]] bool isBetterThan(const Fit &other) const
-    {
-        return oddMissed + evenMissed + strange
-               < other.oddMissed + other.evenMissed + other.strange;
     }
 };
 

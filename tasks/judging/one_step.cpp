@@ -40,9 +40,9 @@ double difference(const std::vector<Circle> &made, std::span<const Circle> wante
 
 OneStep::OneStep(const QString &program, const Variant &scene, std::optional<double> restitution)
     : m_program(program, {.pinned = scene.pinned, .quiet = true, .locked = {}})
-    , m_start(scene.preset)
 {
-    m_runs = !m_program.begin(m_start) && m_program.moves();
+    Preset start = scene.preset;
+    m_runs = !m_program.begin(start) && m_program.moves();
     if (m_runs && restitution)
         m_program.setRestitution(*restitution);
 }

@@ -27,8 +27,6 @@ public:
 
     /// Whether the program runs in that scene at all.
     [[nodiscard]] bool runs() const { return m_runs; }
-    /// What the program starts with.
-    [[nodiscard]] const Preset &start() const { return m_start; }
     /// The numbers that it keeps with the circles.
     [[nodiscard]] std::vector<CircleField> fields() const { return m_program.ownFields(); }
 
@@ -46,7 +44,6 @@ private:
     [[nodiscard]] bool agreesAtSomeNormal(const Observation &o, qint64 k);
 
     StudentScript m_program;
-    Preset m_start;
     bool m_runs = false;
 };
 
