@@ -21,9 +21,6 @@ inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
-inline constexpr Integrator allIntegrators[] = {Integrator::Euler, Integrator::SymplecticEuler,
-                                                Integrator::Verlet, Integrator::RungeKutta4};
-
 /// A row name for an integrator, apart from the names of the file format.
 inline const char *shortName(Integrator integrator)
 {

@@ -4,10 +4,14 @@
 
 #include "model/world/vec2.h"
 
+#include <array>
+
 namespace cradle {
 
 /// How a position and a velocity are carried over a timestep.
 enum class Integrator { Euler, SymplecticEuler, Verlet, RungeKutta4 };
+inline constexpr std::array allIntegrators{Integrator::Euler, Integrator::SymplecticEuler,
+                                           Integrator::Verlet, Integrator::RungeKutta4};
 
 /// Position (m) and velocity (m/s) of one body.
 struct Motion {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_kinds.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
@@ -14,10 +15,6 @@ namespace {
 struct HeightText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
-
-/// Of h_0. A hit is told up to one step late: at 6 m/s and 1/60 s that is 0.1 m of 2 m.
-constexpr double standardTolerance = 0.05;
-constexpr int standardBounces = 3;
 
 /// The highest point between two bounces.
 struct Peak {
@@ -90,16 +87,14 @@ Fault tooFewBounces(int i, std::size_t seen, std::size_t wanted, qint64 last)
 std::optional<Fault> bounceHeights(const CheckSpec &check, const Observation &o)
 {
     const Wall floor = floorUnder(motion::gravityOf(check, o));
-    const double e = check.parameters.value(QStringLiteral("restitution"))
-                         .toDouble(o.variant.preset.restitution);
-    const auto wanted = static_cast<std::size_t>(
-        check.parameters.value(QStringLiteral("bounces")).toInt(standardBounces));
+    const double e = motion::restitutionOf(check, o);
+    const auto wanted = static_cast<std::size_t>(valueOf(check, QStringLiteral("bounces")).toInt());
     for (const int i : check.circles) {
         const std::vector<Peak> peaks = peaksOf(o, i, floor);
         if (peaks.empty())
             return tooFewBounces(i, 0, wanted, o.steps());
         const double first = peaks.front().height;
-        const double slack = motion::toleranceOf(check, standardTolerance) * first;
+        const double slack = motion::toleranceOf(check) * first;
         double expected = first;
         for (std::size_t n = 1; n <= wanted; ++n) {
             expected *= e * e;

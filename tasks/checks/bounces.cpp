@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_kinds.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
@@ -272,10 +273,10 @@ std::optional<Fault> leap(const Observation &o, int i, bool collisions, Vec2 gra
 
 std::optional<Fault> staysInside(const CheckSpec &check, const Observation &o)
 {
-    if (auto fault = outside(check, o, motion::toleranceOf(check, 0.0)))
+    if (auto fault = outside(check, o, motion::toleranceOf(check)))
         return fault;
     const Vec2 gravity = motion::gravityOf(check, o);
-    const int wanted = check.parameters.value(QStringLiteral("visits")).toInt(1);
+    const int wanted = valueOf(check, QStringLiteral("visits")).toInt();
     for (const int i : check.circles) {
         const int seen = visitsOf(o, i, gravity);
         if (seen >= wanted)
@@ -297,11 +298,10 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
 {
     if (auto fault = outside(check, o, 0.0))
         return fault;
-    const double tolerance = motion::toleranceOf(check, motion::sameVelocity);
+    const double tolerance = motion::toleranceOf(check);
     const Vec2 gravity = motion::gravityOf(check, o);
-    const bool collisions = check.parameters.value(QStringLiteral("collisions")).toBool();
-    const double restitution = check.parameters.value(QStringLiteral("restitution"))
-                                   .toDouble(o.variant.preset.restitution);
+    const bool collisions = valueOf(check, QStringLiteral("collisions")).toBool();
+    const double restitution = motion::restitutionOf(check, o);
     int hits = 0;
     for (const int i : check.circles) {
         if (auto fault = stuck(o, i, gravity))
@@ -320,7 +320,7 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
             hits += turn.isHit() ? 1 : 0;
         }
     }
-    const int wanted = check.parameters.value(QStringLiteral("hits")).toInt(1);
+    const int wanted = valueOf(check, QStringLiteral("hits")).toInt();
     return hits < wanted ? std::optional(tooFewHits(o, hits, wanted)) : std::nullopt;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/lab/lab.h"
+
 #include <QJsonValue>
 #include <QString>
 #include <QStringList>
@@ -57,6 +59,10 @@ struct KindInfo {
 
 /// The one with that name; nullptr if there is none.
 [[nodiscard]] const KindInfo *findKind(const std::vector<KindInfo> &kinds, const QString &name);
+
+/// What \p check says of \p parameter, else what the catalogue has where it is left out; undefined
+/// where that depends on the scene, or is nothing.
+[[nodiscard]] QJsonValue valueOf(const CheckSpec &check, const QString &parameter);
 
 /// The parameter with that name; nullptr if there is none.
 [[nodiscard]] const ParameterInfo *findParameter(const KindInfo &kind, const QString &name);

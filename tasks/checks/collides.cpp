@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_kinds.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
@@ -105,12 +106,10 @@ bool Answer::follows(CircleLaw law) const
 std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
 {
     std::vector<CircleLaw> laws;
-    for (const QJsonValue &name : check.parameters.value(QStringLiteral("laws")).toArray()) {
+    for (const QJsonValue &name : valueOf(check, QStringLiteral("laws")).toArray()) {
         if (const auto law = circleLawFromName(name.toString()))
             laws.push_back(*law);
     }
-    if (laws.empty())
-        laws.push_back(CircleLaw::Impulse);
     return laws;
 }
 
@@ -261,7 +260,7 @@ bool answersOnlyTheStart(const CheckSpec &check, const Observation &o,
         const double slack = motion::sameVelocity * (1.0 + quickLength(contact.beforeA));
         return Answer{o, 0, 1, contact, 1.0, slack}.approach() < -slack;
     };
-    return check.parameters.value(QStringLiteral("contacts")).toInt(1) == 0 && !contacts.empty()
+    return valueOf(check, QStringLiteral("contacts")).toInt() == 0 && !contacts.empty()
            && contacts.front().step == 0
            && std::count_if(contacts.begin(), contacts.end(), parts) == 1
            && parts(contacts.front());
@@ -284,9 +283,8 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
                             const JudgeAnswer &judge)
 {
     const Vec2 gravity = motion::gravityOf(check, o);
-    const double e = check.parameters.value(QStringLiteral("restitution"))
-                         .toDouble(o.variant.preset.restitution);
-    const double tolerance = motion::toleranceOf(check, motion::sameVelocity);
+    const double e = motion::restitutionOf(check, o);
+    const double tolerance = motion::toleranceOf(check);
     const std::vector<motion::Contact> contacts = motion::contactsOf(o, 0, 1, gravity);
     if (answersOnlyTheStart(check, o, contacts)
         && !judge(Answer{o, 0, 1, backwards(contacts.front()), e, tolerance}))
@@ -305,7 +303,7 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
     }
     if (missedStep >= 0)
         return missed(missedStep);
-    const int wanted = check.parameters.value(QStringLiteral("contacts")).toInt(1);
+    const int wanted = valueOf(check, QStringLiteral("contacts")).toInt();
     if (contacts.size() < static_cast<std::size_t>(wanted))
         return tooFew(contacts.size(), wanted);
     return std::nullopt;
@@ -326,7 +324,7 @@ std::optional<Fault> rebounds(const CheckSpec &check, const Observation &o)
 
 std::optional<Fault> touches(const CheckSpec &check, const Observation &o)
 {
-    return inTurn(check, o, motion::toleranceOf(check, motion::samePosition),
+    return inTurn(check, o, motion::toleranceOf(check),
                   [](const Answer &) { return std::nullopt; });
 }
 

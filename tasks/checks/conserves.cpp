@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/check_kinds.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
@@ -16,8 +17,6 @@ struct ConserveText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
 
-/// Relative: a thousand roundings of a double.
-constexpr double keptShare = 1e-9;
 /// Less than this share of the energy is no loss that a student set.
 constexpr double visibleLoss = 1e-6;
 
@@ -58,8 +57,8 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
     const auto found = contacts(check, o);
     if (found.empty())
         return noContact();
-    const double kept = motion::toleranceOf(check, keptShare);
-    const bool energy = check.parameters.value(QStringLiteral("energy")).toBool();
+    const double kept = motion::toleranceOf(check);
+    const bool energy = valueOf(check, QStringLiteral("energy")).toBool();
     for (const motion::Contact &contact : found) {
         const Balance b = balanceOf(o, contact);
         if (length(b.momentumAfter - b.momentumBefore) > kept * b.scale) {
@@ -97,7 +96,7 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
     const auto found = contacts(check, o);
     if (found.empty())
         return noContact();
-    const double tolerance = motion::toleranceOf(check, 1e-6);
+    const double tolerance = motion::toleranceOf(check);
     const QJsonArray wanted = check.parameters.value(QStringLiteral("velocities")).toArray();
     const std::pair<int, Vec2> leaving[] = {{0, found.front().afterA}, {1, found.front().afterB}};
     for (const auto &[circle, observed] : leaving) {

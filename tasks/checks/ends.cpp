@@ -14,9 +14,6 @@ struct EndText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
 
-/// Of places and velocities that a lab states, m and m/s: six digits behind the point.
-constexpr double statedTolerance = 1e-6;
-
 struct Wanted {
     QString text; ///< "At 2 s circle 1 is at %1 m; %2 m is right"
     QString unit;
@@ -50,7 +47,7 @@ std::optional<Fault> endsAt(const CheckSpec &check, const Observation &o)
     const double end = o.states.time(o.steps());
     const double time = std::min(end, check.parameters.value(QStringLiteral("time")).toDouble(end));
     const auto step = static_cast<qint64>(std::ceil(time / o.timestep() - 1e-6));
-    const double tolerance = motion::toleranceOf(check, statedTolerance);
+    const double tolerance = motion::toleranceOf(check);
     const QJsonArray places = check.parameters.value(QStringLiteral("positions")).toArray();
     const QJsonArray velocities = check.parameters.value(QStringLiteral("velocities")).toArray();
     int place = 0;

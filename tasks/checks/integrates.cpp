@@ -3,6 +3,7 @@
 #include "tasks/checks/integrator_matching.h"
 
 #include "model/files/preset_json.h"
+#include "tasks/checks/check_kinds.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
@@ -18,9 +19,6 @@ namespace {
 struct IntegratorText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
-
-constexpr Integrator allIntegrators[] = {Integrator::Euler, Integrator::SymplecticEuler,
-                                         Integrator::Verlet, Integrator::RungeKutta4};
 
 bool agrees(Integrator integrator, const Observation &o, int i, qint64 k, Vec2 gravity,
             double tolerance = motion::samePosition)
@@ -84,14 +82,11 @@ private:
 
 std::vector<Integrator> wantedIntegrators(const CheckSpec &check)
 {
-    const QJsonArray names = check.parameters.value(QStringLiteral("integrators")).toArray();
     std::vector<Integrator> wanted;
-    for (const QJsonValue &name : names) {
+    for (const QJsonValue &name : valueOf(check, QStringLiteral("integrators")).toArray()) {
         if (const auto integrator = integratorFromName(name.toString()))
             wanted.push_back(*integrator);
     }
-    if (wanted.empty())
-        wanted.assign(std::begin(allIntegrators), std::end(allIntegrators));
     return wanted;
 }
 
@@ -227,9 +222,8 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
 {
     const Vec2 gravity = motion::gravityOf(check, o);
     const std::vector<Integrator> wanted = wantedIntegrators(check);
-    const double tolerance = motion::toleranceOf(check, motion::samePosition);
-    const bool isAnyMethod =
-        check.parameters.value(QStringLiteral("integrators")).toArray().isEmpty();
+    const double tolerance = motion::toleranceOf(check);
+    const bool isAnyMethod = !check.parameters.contains(QStringLiteral("integrators"));
     for (const int i : check.circles) {
         std::vector<Integrator> left = wanted;
         // Where no method is asked for, one in smaller steps is as good.
@@ -285,6 +279,7 @@ std::optional<Fault> sameIntegrator(const CheckSpec &check, const Observation &o
 std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
 {
     const Vec2 gravity = motion::gravityOf(check, o);
+    const double tolerance = motion::toleranceOf(check);
     for (const int i : check.circles) {
         const Circle &begin = o.circle(i, 0);
         qint64 k = 0;
@@ -292,7 +287,7 @@ std::optional<Fault> closedForm(const CheckSpec &check, const Observation &o)
             const double t = o.states.time(k + 1);
             const Vec2 right = begin.position + t * begin.velocity + (0.5 * t * t) * gravity;
             const Vec2 observed = o.circle(i, k + 1).position;
-            if (quickLength(observed - right) <= motion::toleranceOf(check, motion::samePosition))
+            if (quickLength(observed - right) <= tolerance)
                 continue;
             const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
             return Fault{.message =

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/motion.h"
 
+#include "tasks/checks/check_kinds.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
 
@@ -63,17 +65,27 @@ bool isSame(Vec2 a, Vec2 b, double tolerance)
     return quickLength(a - b) <= tolerance * (1.0 + quickLength(b));
 }
 
-double toleranceOf(const CheckSpec &check, double standard)
+double toleranceOf(const CheckSpec &check)
 {
-    return check.parameters.value(QStringLiteral("tolerance")).toDouble(standard);
+    return valueOf(check, QStringLiteral("tolerance")).toDouble();
+}
+
+double restitutionOf(const CheckSpec &check, const Observation &o)
+{
+    return valueOf(check, QStringLiteral("restitution")).toDouble(o.variant.preset.restitution);
+}
+
+std::optional<Vec2> askedGravity(const CheckSpec &check)
+{
+    const QJsonArray list = valueOf(check, QStringLiteral("gravity")).toArray();
+    if (list.size() != 2)
+        return std::nullopt;
+    return Vec2{list.at(0).toDouble(), list.at(1).toDouble()};
 }
 
 Vec2 gravityOf(const CheckSpec &check, const Observation &o)
 {
-    const QJsonArray list = check.parameters.value(QStringLiteral("gravity")).toArray();
-    if (list.size() == 2)
-        return {list.at(0).toDouble(), list.at(1).toDouble()};
-    return o.variant.preset.gravity;
+    return askedGravity(check).value_or(o.variant.preset.gravity);
 }
 
 Vec2 kick(const Observation &o, int i, qint64 k, Vec2 gravity)
@@ -141,7 +153,7 @@ bool isFree(const CheckSpec &check, const Observation &o, int i, qint64 k, Vec2 
 {
     if (isNearWall(o, i, k, gravity))
         return false;
-    const bool collisions = check.parameters.value(QStringLiteral("collisions")).toBool();
+    const bool collisions = valueOf(check, QStringLiteral("collisions")).toBool();
     return !collisions || !isNearCircle(o, i, k, gravity);
 }
 

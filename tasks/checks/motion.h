@@ -4,6 +4,8 @@
 
 #include "tasks/checks/check_library.h"
 
+#include <optional>
+
 namespace cradle {
 
 /// Tools that the kinds of checks share: what happened in one step of an observation.
@@ -17,10 +19,14 @@ inline constexpr double samePosition = 1e-9;
 
 [[nodiscard]] bool isSame(Vec2 a, Vec2 b, double tolerance = sameVelocity);
 
-/// The check's own "tolerance", else \p standard.
-[[nodiscard]] double toleranceOf(const CheckSpec &check, double standard);
+/// The "tolerance" of \p check, whose kind has one.
+[[nodiscard]] double toleranceOf(const CheckSpec &check);
+/// The "restitution" that the check names, else that of the scene.
+[[nodiscard]] double restitutionOf(const CheckSpec &check, const Observation &o);
 
-/// The gravity that the check names, else that of the scene, m/s².
+/// The gravity that the check names, m/s²; nullopt if it names none.
+[[nodiscard]] std::optional<Vec2> askedGravity(const CheckSpec &check);
+/// The same, else that of the scene.
 [[nodiscard]] Vec2 gravityOf(const CheckSpec &check, const Observation &o);
 
 /// What changed the velocity of circle \p i in the step after \p k besides gravity, m/s.

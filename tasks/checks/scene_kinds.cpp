@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
 #include "tasks/checks/parameter_makers.h"
+#include "tasks/runs/scene_spec.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -33,18 +34,30 @@ ParameterInfo timesteps()
                   "s", {1e-6, 0.1});
 }
 
+/// What holds where a scene leaves something out.
+const SceneSpec &standard()
+{
+    static const SceneSpec spec;
+    return spec;
+}
+
+QJsonArray asJson(Vec2 pair)
+{
+    return {pair.x, pair.y};
+}
+
 ParameterInfo range(const char *name, const QString &label, const char *unit, Bounds bounds,
-                    double least, double most)
+                    Vec2 usual)
 {
     return usually(inUnit(make(name, Type::Range, label,
                                SceneText::tr("Drawn between the least and the most")),
                           unit, bounds),
-                   QJsonArray{least, most});
+                   asJson(usual));
 }
 
 ParameterInfo speeds(double most)
 {
-    return range("speeds", SceneText::tr("Speeds"), "m/s", {0.0, most}, 1.0, 3.0);
+    return range("speeds", SceneText::tr("Speeds"), "m/s", {0.0, most}, standard().speeds);
 }
 
 ParameterInfo angles()
@@ -52,7 +65,7 @@ ParameterInfo angles()
     return usually(inUnit(make("angles", Type::Range, SceneText::tr("Angles"),
                                SceneText::tr("From the x axis; the scenes divide them evenly")),
                           "°", {-360.0, 360.0}),
-                   QJsonArray{0.0, 360.0});
+                   asJson(standard().angles));
 }
 
 /// What all scenes share that the application makes up.
@@ -62,22 +75,22 @@ std::vector<ParameterInfo> drawn(std::vector<ParameterInfo> own)
         usually(inUnit(make("count", Type::Count, SceneText::tr("Scenes"),
                             SceneText::tr("How many scenes are drawn")),
                        "", {1.0, 200.0}),
-                1),
-        duration(2.0), timesteps()};
+                standard().count),
+        duration(standard().duration), timesteps()};
     for (ParameterInfo &info : own)
         all.push_back(std::move(info));
-    all.push_back(range("radii", SceneText::tr("Radii"), "m", {0.01, 1.0}, 0.2, 0.2));
-    all.push_back(
-        range("densities", SceneText::tr("Densities"), "1000 kg/m³", {1e-3, 1e3}, 7.8, 7.8));
+    all.push_back(range("radii", SceneText::tr("Radii"), "m", {0.01, 1.0}, standard().radii));
+    all.push_back(range("densities", SceneText::tr("Densities"), "1000 kg/m³", {1e-3, 1e3},
+                        standard().densities));
     all.push_back(usually(inUnit(make("gravity", Type::Vector, SceneText::tr("Gravity"),
                                       SceneText::tr("None if left out")),
                                  "m/s²", {-1000.0, 1000.0}),
-                          QJsonArray{0.0, 0.0}));
+                          asJson(standard().gravity)));
     all.push_back(
         usually(inUnit(make("restitutions", Type::Numbers, SceneText::tr("Restitutions e"),
                             SceneText::tr("The scenes take turns with these")),
                        "", {0.0, 1.0}),
-                QJsonArray{1.0}));
+                QJsonArray{standard().restitutions.front()}));
     all.push_back(inUnit(make("seed", Type::Count, SceneText::tr("Seed"),
                               SceneText::tr("The same scenes in every check; drawn anew with the "
                                             "seed of the check if left out")),
@@ -97,7 +110,8 @@ std::vector<KindInfo> sceneKinds()
 {
     return {
         scene("own", SceneText::tr("The student's own scene"),
-              SceneText::tr("With each of the timesteps"), 1, {duration(10.0), timesteps()}),
+              SceneText::tr("With each of the timesteps"), 1,
+              {duration(SceneSpec::ownDuration), timesteps()}),
         scene("flight", SceneText::tr("Throws"),
               SceneText::tr("The circles thrown together from the middle, in any direction"), 1,
               drawn({speeds(20.0), angles()})),
@@ -117,17 +131,17 @@ std::vector<KindInfo> sceneKinds()
                                          SceneText::tr("How far off centre they meet at most, in "
                                                        "r₁ + r₂")),
                                     "", {0.0, 0.95}),
-                             0.0),
+                             standard().offset),
                      usually(make("both_move", Type::Flag, SceneText::tr("Both move"),
                                   SceneText::tr("Also one after the other, or one of them at rest; "
                                                 "else circle 2 rests before the hit")),
-                             false),
+                             standard().bothMove),
                      usually(
                          make("again", Type::Flag, SceneText::tr("Again at once"),
                               SceneText::tr(
                                   "Some, between equal circles, are in front of a wall that sends "
                                   "circle 2 back to a second hit, with another line of centres")),
-                         false)})),
+                         standard().again)})),
         scene("parting", SceneText::tr("Circles that part"),
               SceneText::tr("Circles 1 and 2 overlap, as after a hit that was told late, and move "
                             "apart already; ask for 0 hits"),
@@ -143,7 +157,7 @@ std::vector<KindInfo> sceneKinds()
                                        SceneText::tr("Speed to the right, drawn between the least "
                                                      "and the most")),
                                   "m/s", {-3.0, 3.0}),
-                           QJsonArray{0.0, 0.0})})),
+                           asJson(standard().sideways))})),
     };
 }
 

@@ -18,11 +18,8 @@ struct SettleText {
 
 /// The end of the run that is looked at, s.
 constexpr double lastSeconds = 5.0;
-/// How much higher than the reference a circle may still hop, and what is always allowed, m: other
-/// correct ways to handle the wall lose a little less than going back does. Measured: mirroring the
-/// overshoot hops to 34 mm with e = 0.9 for ever; a wall that takes nothing, to metres.
+/// How much higher than the reference a circle may still hop.
 constexpr double generosity = 2.0;
-constexpr double alwaysAllowed = 0.06;
 
 /// Whether circle \p i came to the floor as fast as what falls for a tenth of a second.
 bool hasFallen(const Observation &o, int i, Vec2 gravity)
@@ -68,7 +65,7 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
         double allowed = 0.0;
         for (const Integrator integrator : matchingIntegrators(check, o, i, gravity))
             allowed = std::max(allowed, referenceHeight(o, i, integrator));
-        allowed = std::max(generosity * allowed, motion::toleranceOf(check, alwaysAllowed));
+        allowed = std::max(generosity * allowed, motion::toleranceOf(check));
         if (!hasFallen(o, i, gravity))
             return Fault{.message =
                              SettleText::tr("Circle %1 never fell onto the floor in %2 s; "

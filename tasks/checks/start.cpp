@@ -67,7 +67,7 @@ double wayOf(const Observation &o, int i)
 std::optional<Fault> start(const CheckSpec &check, const Observation &o)
 {
     const auto wanted = [&](const char *key) { return check.parameters.value(QLatin1String(key)); };
-    const double tolerance = motion::toleranceOf(check, motion::samePosition);
+    const double tolerance = motion::toleranceOf(check);
     for (const int i : check.circles) {
         const Circle &c = o.circle(i, 0);
         const QString number = QString::number(i + 1);
@@ -100,7 +100,7 @@ std::optional<Fault> together(const CheckSpec &check, const Observation &o)
 {
     const int a = check.circles.front();
     const int b = check.circles.back();
-    const double tolerance = motion::toleranceOf(check, motion::samePosition);
+    const double tolerance = motion::toleranceOf(check);
     for (qint64 k = 0; k <= o.steps(); ++k) {
         const Circle &ca = o.circle(a, k);
         const Circle &cb = o.circle(b, k);

@@ -3,6 +3,9 @@
 #include "tasks/judging/asked_laws.h"
 
 #include "model/files/preset_json.h"
+#include "tasks/checks/check_kinds.h"
+#include "tasks/checks/motion.h"
+#include "tasks/runs/scene_spec.h"
 
 #include <QJsonArray>
 
@@ -12,12 +15,6 @@
 namespace cradle {
 
 namespace {
-
-bool looksAtOwnScene(const CheckSpec &check)
-{
-    return check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"))
-           == QLatin1String("own");
-}
 
 /// All that the checks say, one after the other.
 class Asking
@@ -59,7 +56,7 @@ private:
                     || (check.kind == QLatin1String("bounces")
                         && check.scene.value(QStringLiteral("kind")).toString()
                                == QLatin1String("directions"));
-        if (looksAtOwnScene(check))
+        if (showsOwnScene(check))
             includeGravity(check);
         includePair(check);
     }
@@ -84,11 +81,10 @@ private:
     /// Where a check leaves gravity out, that of the student is right, whichever it is.
     void includeGravity(const CheckSpec &check)
     {
-        const QJsonArray list = check.parameters.value(QStringLiteral("gravity")).toArray();
-        if (list.size() != 2)
+        const std::optional<Vec2> asked = motion::askedGravity(check);
+        if (!asked)
             return;
-        const Vec2 asked{list.at(0).toDouble(), list.at(1).toDouble()};
-        m_hasTwoGravities = m_hasTwoGravities || (m_gravity && *m_gravity != asked);
+        m_hasTwoGravities = m_hasTwoGravities || (m_gravity && *m_gravity != *asked);
         m_gravity = asked;
     }
 
@@ -98,9 +94,8 @@ private:
             m_isPairOpen = true;
         if (check.kind != QLatin1String("collides"))
             return;
-        const QJsonArray names = check.parameters.value(QStringLiteral("laws")).toArray();
-        const auto law = names.isEmpty() ? std::optional(CircleLaw::Impulse)
-                                         : circleLawFromName(names.at(0).toString());
+        const QJsonArray names = valueOf(check, QStringLiteral("laws")).toArray();
+        const auto law = circleLawFromName(names.at(0).toString());
         m_isPairOpen = m_isPairOpen || names.size() > 1 || !law || (m_pair && *m_pair != *law);
         m_pair = law;
     }

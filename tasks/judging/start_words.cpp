@@ -6,6 +6,7 @@
 #include "tasks/checks/motion.h"
 #include "tasks/judging/check_plan.h"
 #include "tasks/runs/observation.h"
+#include "tasks/runs/scene_spec.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -21,20 +22,6 @@ struct StartText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
 
-bool isOfOwnScene(const CheckSpec &check)
-{
-    return check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"))
-           == QLatin1String("own");
-}
-
-std::optional<Vec2> askedGravity(const CheckSpec &check)
-{
-    const QJsonArray list = check.parameters.value(QStringLiteral("gravity")).toArray();
-    if (list.size() != 2 || !isOfOwnScene(check))
-        return std::nullopt;
-    return Vec2{list[0].toDouble(), list[1].toDouble()};
-}
-
 bool failed(const CheckSpec &check, const std::vector<CheckOutcome> &checks)
 {
     return std::any_of(checks.begin(), checks.end(), [&](const CheckOutcome &outcome) {
@@ -46,7 +33,7 @@ bool failed(const CheckSpec &check, const std::vector<CheckOutcome> &checks)
 Moment momentOf(const CheckSpec &check, const Preset &start)
 {
     using enum Assignment::Field;
-    const double tolerance = motion::toleranceOf(check, motion::samePosition);
+    const double tolerance = motion::toleranceOf(check);
     const auto isOff = [&](const char *key, Vec2 value) {
         const QJsonValue wanted = check.parameters.value(QLatin1String(key));
         const QJsonArray list = wanted.toArray();
@@ -75,7 +62,7 @@ std::optional<LawDeviation> wrongGravity(const Task &task, const Preset &start,
                                          const std::vector<CheckOutcome> &checks)
 {
     for (const CheckSpec &check : task.checks) {
-        const auto asked = askedGravity(check);
+        const auto asked = showsOwnScene(check) ? motion::askedGravity(check) : std::nullopt;
         if (!asked || *asked == start.gravity || !failed(check, checks))
             continue;
         return LawDeviation{Aspect::Start,
@@ -126,7 +113,7 @@ std::optional<LawDeviation> otherRestitution(const Task &task, const Submission 
     const double e = own.start().restitution;
     for (const CheckSpec &check : task.checks) {
         const QJsonValue asked = check.parameters.value(QStringLiteral("restitution"));
-        if (!isOfOwnScene(check) || !asked.isDouble() || asked.toDouble() == e
+        if (!showsOwnScene(check) || !asked.isDouble() || asked.toDouble() == e
             || !failed(check, checks))
             continue;
         return LawDeviation{

@@ -21,29 +21,36 @@ std::vector<double> numbers(const QJsonValue &list, std::vector<double> fallback
 } // namespace
 
 SceneSpec::SceneSpec(const CheckSpec &check, double ownTimestep)
-    : kind(check.scene.value(QStringLiteral("kind")).toString(QStringLiteral("own")))
-    , circles(check.circles)
+    : circles(check.circles)
 {
     const auto value = [&](const char *key) { return check.scene.value(QLatin1String(key)); };
-    const bool own = kind == QLatin1String("own");
-    count = value("count").toInt(count);
-    duration = value("duration").toDouble(own ? 10.0 : 2.0);
-    timesteps = numbers(value("timesteps"), {own ? ownTimestep : 1.0 / 60.0});
-    restitutions = numbers(value("restitutions"), {1.0});
-    const auto g = numbers(value("gravity"), {0.0, 0.0});
-    gravity = {g[0], g[1]};
-    const auto pair = [&](const char *key, Vec2 fallback) {
-        const auto list = numbers(value(key), {fallback.x, fallback.y});
-        return Vec2{list[0], list[1]};
+    const auto take = [&](const char *key, Vec2 &pair) {
+        const auto list = numbers(value(key), {pair.x, pair.y});
+        pair = {list[0], list[1]};
     };
-    speeds = pair("speeds", {1.0, 3.0});
-    sideways = pair("sideways", {0.0, 0.0});
-    angles = pair("angles", {0.0, 360.0});
-    radii = pair("radii", {0.2, 0.2});
-    densities = pair("densities", {7.8, 7.8});
-    offset = value("offset").toDouble(0.0);
-    bothMove = value("both_move").toBool(false);
-    again = value("again").toBool(false);
+    kind = value("kind").toString(kind);
+    if (isOwn()) {
+        duration = ownDuration;
+        timesteps = {ownTimestep};
+    }
+    count = value("count").toInt(count);
+    duration = value("duration").toDouble(duration);
+    timesteps = numbers(value("timesteps"), timesteps);
+    restitutions = numbers(value("restitutions"), restitutions);
+    take("gravity", gravity);
+    take("speeds", speeds);
+    take("sideways", sideways);
+    take("angles", angles);
+    take("radii", radii);
+    take("densities", densities);
+    offset = value("offset").toDouble(offset);
+    bothMove = value("both_move").toBool(bothMove);
+    again = value("again").toBool(again);
+}
+
+bool showsOwnScene(const CheckSpec &check)
+{
+    return SceneSpec(check, 1.0).isOwn();
 }
 
 } // namespace cradle

@@ -3,6 +3,7 @@
 #include "views/author/scene_form.h"
 
 #include "tasks/checks/check_kinds.h"
+#include "tasks/runs/scene_spec.h"
 #include "views/author/form_rows.h"
 #include "views/author/parameter_form.h"
 #include "views/on_change.h"
@@ -55,7 +56,7 @@ SceneForm::SceneForm(RefusedTexts &texts, QWidget *parent)
 void SceneForm::showScene(const QJsonObject &scene)
 {
     m_scene = scene;
-    const QString name = scene.value(QStringLiteral("kind")).toString(QStringLiteral("own"));
+    const QString name = scene.value(QStringLiteral("kind")).toString(SceneSpec().kind);
     m_kind->setCurrentIndex(m_kind->findData(name));
     const std::vector<KindInfo> kinds = sceneKinds();
     if (const KindInfo *kind = findKind(kinds, name)) {

@@ -48,8 +48,7 @@ QComboBox *createList(QWidget *parent, int column)
             list->addItem(swatchIcon(colour), QString(), colour);
         return list;
     }
-    for (const Integrator integrator : {Integrator::Euler, Integrator::SymplecticEuler,
-                                        Integrator::Verlet, Integrator::RungeKutta4})
+    for (const Integrator integrator : allIntegrators)
         list->addItem(CircleTableModel::integratorText(integrator), static_cast<int>(integrator));
     return list;
 }
