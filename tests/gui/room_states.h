@@ -59,7 +59,7 @@ inline std::vector<RoomState> fewStates()
         all.push_back({.theme = theme});
     for (const char *language : {"de", "fr", "ar", "pseudo"})
         all.push_back({.language = QLatin1String(language)});
-    for (const char *language : {"en", "de", "fr", "ar"})
+    for (const char *language : {"en", "de", "fr", "ar", "pseudo"})
         all.push_back({.language = QLatin1String(language), .percent = 150});
     return all;
 }

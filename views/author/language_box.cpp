@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/language_box.h"
 
+#include "views/author/item_texts.h"
 #include "views/author/text_languages.h"
 #include "views/on_change.h"
 
@@ -40,8 +41,10 @@ void LanguageBox::retranslate()
     setAccessibleName(tr("Language of the texts"));
     setToolTip(tr("What is typed in any of the tabs, and the titles of steps, are in this "
                   "language"));
+    QStringList texts;
     for (int i = 0; i < count(); ++i)
-        setItemText(i, tr("Texts in %1").arg(languageWithCode(itemData(i).toString())));
+        texts.append(tr("Texts in %1").arg(languageWithCode(itemData(i).toString())));
+    setItemTexts(*this, texts);
 }
 
 } // namespace cradle

@@ -4,6 +4,7 @@
 
 #include "tasks/script/student_script.h"
 #include "views/author/form_rows.h"
+#include "views/author/item_texts.h"
 #include "views/author/scene_text.h"
 #include "views/error_line.h"
 #include "views/flow_layout.h"
@@ -267,18 +268,10 @@ void SceneTab::retranslate()
                               "with one, the proof looks after it, too."));
     m_make->setText(tr("Make it from what the student finds"));
     const QStringList scenes{tr("What the student finds"), tr("What passes without a program")};
-    for (int i = 0; i < scenes.size(); ++i) {
-        if (i >= m_which->count())
-            m_which->addItem(scenes[i]);
-        m_which->setItemText(i, scenes[i]);
-    }
+    setItemTexts(*m_which, scenes);
     m_which->setAccessibleName(tr("Which scene of the step"));
     const QStringList movers{tr("Moved by the scene's laws"), tr("Moved by solution.lua")};
-    for (int i = 0; i < movers.size(); ++i) {
-        if (i >= m_mover->count())
-            m_mover->addItem(movers[i]);
-        m_mover->setItemText(i, movers[i]);
-    }
+    setItemTexts(*m_mover, movers);
     m_mover->setAccessibleName(tr("What moves the circles here"));
     fillTemplates();
     showLocks();

@@ -3,10 +3,12 @@
 #include "views/author/step_fields.h"
 
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/item_texts.h"
 #include "views/on_change.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,6 +20,7 @@ namespace cradle {
 namespace {
 
 constexpr int idWidth = 110; ///< px
+constexpr int fieldGap = 8;  ///< px
 
 } // namespace
 
@@ -44,17 +47,23 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     m_idCaption->setBuddy(m_id);
     m_titleCaption->setBuddy(m_title);
     m_commitCaption->setBuddy(m_commit);
-    auto *row = new QHBoxLayout(this);
-    row->setSpacing(8);
-    row->setContentsMargins(12, 8, 12, 8);
-    row->addWidget(m_idCaption);
-    row->addWidget(m_id);
-    row->addWidget(m_titleCaption);
-    row->addWidget(m_title, 2);
-    row->addWidget(m_commitCaption);
-    row->addWidget(m_commit, 3);
-    row->addWidget(m_moves);
-    row->addWidget(m_extra);
+    m_first = new QHBoxLayout;
+    m_second = new QHBoxLayout;
+    for (QHBoxLayout *each : {m_first, m_second})
+        each->setSpacing(fieldGap);
+    for (QWidget *each : {static_cast<QWidget *>(m_idCaption), static_cast<QWidget *>(m_id),
+                          static_cast<QWidget *>(m_titleCaption)})
+        m_first->addWidget(each);
+    m_first->addWidget(m_title, 1);
+    m_second->addWidget(m_commitCaption);
+    m_second->addWidget(m_commit, 1);
+    m_second->addWidget(m_moves);
+    m_second->addWidget(m_extra);
+    m_rows = new QBoxLayout(QBoxLayout::LeftToRight, this);
+    m_rows->setSpacing(fieldGap);
+    m_rows->setContentsMargins(12, 8, 12, 8);
+    m_rows->addLayout(m_first, 1);
+    m_rows->addLayout(m_second, 2);
     keepTranslated(this, &StepFields::retranslate);
     connect(m_id, &QLineEdit::editingFinished, this, &StepFields::takeId);
     connect(m_title, &QLineEdit::textEdited, this, [this] { takeFields(QStringLiteral("title")); });
@@ -62,6 +71,34 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
             [this] { takeFields(QStringLiteral("commit")); });
     connect(m_moves, &QComboBox::activated, this, [this] { takeFields(QStringLiteral("moves")); });
     connect(m_extra, &QCheckBox::clicked, this, [this] { takeFields(QStringLiteral("extra")); });
+}
+
+/// Side by side, where that fits.
+void StepFields::arrange()
+{
+    const QMargins margins = m_rows->contentsMargins();
+    const int oneRow = m_first->minimumSize().width() + fieldGap + m_second->minimumSize().width()
+                       + margins.left() + margins.right();
+    const auto wanted = oneRow <= width() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+    if (m_rows->direction() != wanted)
+        m_rows->setDirection(wanted);
+}
+
+QSize StepFields::minimumSizeHint() const
+{
+    const QMargins margins = m_rows->contentsMargins();
+    return {std::max(m_first->minimumSize().width(), m_second->minimumSize().width())
+                + margins.left() + margins.right(),
+            m_rows->minimumSize().height()};
+}
+
+bool StepFields::event(QEvent *event)
+{
+    const bool done = QWidget::event(event);
+    const bool isMade = m_rows;
+    if (isMade && (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest))
+        arrange();
+    return done;
 }
 
 void StepFields::reload()
@@ -128,8 +165,7 @@ void StepFields::retranslate()
     m_commit->setToolTip(tr("What a student writes into the history after passing"));
     const QStringList movers{tr("Moved by program or laws"), tr("Moved by a program"),
                              tr("Moved by the laws")};
-    for (int i = 0; i < movers.size(); ++i)
-        m_moves->setItemText(i, movers[i]);
+    setItemTexts(*m_moves, movers);
     m_moves->setAccessibleName(tr("Who may move the circles"));
     m_moves->setToolTip(tr("What passes the step: a program of the student, the laws of the scene, "
                            "or either"));

@@ -7,16 +7,18 @@
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
+class QBoxLayout;
 class QCheckBox;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 QT_END_NAMESPACE
 
 namespace cradle {
 
-/// The short fields of a step in a row: its id, title and commit message, who
-/// moves the circles, and whether it counts.
+/// The short fields of a step, in a row or, with large texts, in two: its id, title and commit
+/// message, who moves the circles, and whether it counts.
 class StepFields final : public QWidget
 {
     Q_OBJECT
@@ -25,10 +27,16 @@ public:
 
     void reload(); ///< shows the open step
 
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent *event) override;
+
 private:
     void takeId();
     void takeFields(const QString &field); ///< that was typed into
     void retranslate();
+    void arrange();
 
     AuthorDocument &m_document;
     QLabel *m_idCaption;
@@ -38,7 +46,10 @@ private:
     QLabel *m_commitCaption;
     QLineEdit *m_commit;
     QCheckBox *m_extra;
-    QComboBox *m_moves; ///< by the values of "moves"
+    QComboBox *m_moves;             ///< by the values of "moves"
+    QHBoxLayout *m_first = nullptr; ///< what it is called
+    QHBoxLayout *m_second = nullptr;
+    QBoxLayout *m_rows = nullptr; ///< of both
     QString m_shownStep{};
 };
 

@@ -4,11 +4,13 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/hints_list.h"
+#include "views/author/item_texts.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
 #include "views/author/questions_editor.h"
 #include "views/author/step_fields.h"
 #include "views/author/values_editor.h"
+#include "views/flow_layout.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
 #include "views/on_change.h"
@@ -58,12 +60,11 @@ void TextTab::makeLayout()
     m_figure = new QPushButton(this);
     m_part->setObjectName(QStringLiteral("textPart"));
     setKind(m_figure, "small");
-    auto *top = new QHBoxLayout;
+    auto *top = new FlowLayout; // with large texts they are more than a row
     top->setSpacing(8);
     top->setContentsMargins(12, 8, 12, 8);
     top->addWidget(m_part);
     top->addWidget(m_figure);
-    top->addStretch(1);
     top->addWidget(m_mode);
 
     m_preview = new MarkdownView(this, m_renderer);
@@ -233,16 +234,10 @@ void TextTab::showUnknown()
 
 void TextTab::retranslate()
 {
-    const auto setItems = [](QComboBox *box, const QStringList &texts) {
-        for (int i = 0; i < texts.size(); ++i) {
-            if (i >= box->count())
-                box->addItem(texts[i]);
-            box->setItemText(i, texts[i]);
-        }
-    };
-    setItems(m_part, {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
-                      tr("Prediction"), tr("Questions that count"), tr("Values")});
-    setItems(m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
+    setItemTexts(*m_part,
+                 {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
+                  tr("Prediction"), tr("Questions that count"), tr("Values")});
+    setItemTexts(*m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
     m_part->setAccessibleName(tr("Which text"));
     m_mode->setAccessibleName(tr("Mode of the preview"));
     m_figure->setText(tr("Insert the scene as a figure"));

@@ -3,6 +3,7 @@
 #include "views/author/values_editor.h"
 
 #include "views/author/form_rows.h"
+#include "views/author/item_texts.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/on_change.h"
@@ -139,15 +140,8 @@ void ValuesEditor::retranslate()
     m_empty->setText(tr("No number has a name yet. Add one with the plus, and write it in braces, "
                         "as {{e}}, where texts, programs and checks need it: then it stands in one "
                         "place, and may be another for each student."));
-    const auto setItems = [](QComboBox *box, const QStringList &texts) {
-        for (int i = 0; i < texts.size(); ++i) {
-            if (i >= box->count())
-                box->addItem(texts[i]);
-            box->setItemText(i, texts[i]);
-        }
-    };
-    setItems(m_kind, {tr("The same for all"), tr("Drawn for each student")});
-    setItems(m_place, {tr("In the whole lab"), tr("In this step")});
+    setItemTexts(*m_kind, {tr("The same for all"), tr("Drawn for each student")});
+    setItemTexts(*m_place, {tr("In the whole lab"), tr("In this step")});
     m_kindCaption->setText(tr("Kind"));
     m_kind->setAccessibleName(tr("Whether the value is drawn"));
     m_placeCaption->setText(tr("Known"));
