@@ -217,6 +217,11 @@ void TestCodePane::tellsWhatIsSavedInLargeTexts()
     m_open->window.resize(486, 500); // as in a window of 1440 px
     settle();
     QVERIFY(m_open->says(s("saved")));
+    m_open->window.resize(560, 500); // there the choice has its name, up to 150 %
+    settle();
+    QVERIFY(m_open->says(s("saved")));
+    if (percent <= 150)
+        QCOMPARE(m_open->shown<QPushButton>(s("Run as I type"))->text(), s("Run as I type"));
     setTextScale(1.0);
 }
 

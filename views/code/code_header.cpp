@@ -21,7 +21,7 @@ namespace {
 
 constexpr int gap = 8;         ///< px
 constexpr int sideMargin = 12; ///< px
-constexpr int shortState = 90; ///< px at 100 %; what a state has at least, though cut off
+constexpr int shortState = 90; ///< px; what a state has at least, though cut off
 
 } // namespace
 
@@ -90,9 +90,7 @@ void CodeHeader::setTitle(const QString &title)
 
 void CodeHeader::setStates(const QStringList &texts)
 {
-    m_stateWidth = shortState;
-    for (const QString &text : texts)
-        m_stateWidth = std::max(m_stateWidth, m_state->fontMetrics().horizontalAdvance(text) + 2);
+    m_states = texts;
     arrange();
 }
 
@@ -119,20 +117,26 @@ void CodeHeader::arrange()
     if (m_arranging)
         return;
     m_arranging = true;
+    const auto widthOf = [this](const QString &text) {
+        return m_state->fontMetrics().horizontalAdvance(text) + 2;
+    };
+    int longest = shortState;
+    for (const QString &text : m_states)
+        longest = std::max(longest, widthOf(text));
+    m_atOnce->setText(m_atOnce->accessibleName());
     for (ActionButton *button : m_buttons)
         button->setCollapsed(false);
     for (ActionButton *button : m_buttons) {
         layout()->invalidate();
         const bool last = button == m_buttons.back();
-        if (layout()->minimumSize().width() + (last ? shortState : m_stateWidth) <= width())
+        if (layout()->minimumSize().width() + (last ? shortState : longest) <= width())
             break;
         button->setCollapsed(true);
     }
     // The last to go is the name of a choice, whose sign stays: what is saved is told in words
     // alone.
-    m_atOnce->setText(m_atOnce->accessibleName());
     layout()->invalidate();
-    if (layout()->minimumSize().width() + scaledByText(shortState) > width())
+    if (layout()->minimumSize().width() + widthOf(m_states.value(0)) > width())
         m_atOnce->setText(QString());
     layout()->invalidate();
     layout()->activate();

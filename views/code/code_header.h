@@ -26,7 +26,7 @@ public:
     explicit CodeHeader(CodeActions &actions, QWidget *parent = nullptr);
 
     void setTitle(const QString &title);
-    /// All texts that setState() may be given, for which there shall be room.
+    /// All texts that setState() may be given, for which there shall be room; the usual one first.
     void setStates(const QStringList &texts);
     /// \param warns  whether the text needs the student's attention
     void setState(const QString &text, bool warns);
@@ -49,7 +49,7 @@ private:
     QPushButton *m_more;
     std::vector<ActionButton *> m_buttons; ///< those that lose their text first, first
     QString m_stateText;
-    int m_stateWidth = 0; ///< px, of the longest state
+    QStringList m_states;
     bool m_arranging = false;
 };
 
