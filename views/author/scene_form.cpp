@@ -58,8 +58,8 @@ void SceneForm::showScene(const QJsonObject &scene)
     m_scene = scene;
     const QString name = scene.value(QStringLiteral("kind")).toString(SceneSpec().kind);
     m_kind->setCurrentIndex(m_kind->findData(name));
-    const std::vector<KindInfo> kinds = sceneKinds();
-    if (const KindInfo *kind = findKind(kinds, name)) {
+    const std::vector<KindInfo> ofScenes = sceneKinds();
+    if (const KindInfo *kind = findKind(ofScenes, name)) {
         m_purpose->setText(kind->purpose);
         m_values->show(*kind, scene);
     }

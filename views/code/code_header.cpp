@@ -158,6 +158,9 @@ QSize CodeHeader::minimumSizeHint() const
         if (!button->isCollapsed())
             width -= button->fontMetrics().horizontalAdvance(button->text());
     }
+    // The pane is no narrower for want of a name: what stands below needs that width, too.
+    if (m_atOnce->text().isEmpty())
+        width += m_atOnce->fontMetrics().horizontalAdvance(m_atOnce->accessibleName());
     return {width, layout()->minimumSize().height()};
 }
 
