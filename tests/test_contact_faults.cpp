@@ -65,6 +65,21 @@ void addCollisions()
            "At step 3 the circles changed their velocities although their rims were still 1.3 m "
            "apart; they should touch first, at a distance of r₁ + r₂",
            3, 0.0, 1.3, "m");
+    addRow("both fall otherwise", pair("collides"),
+           drift(apart(),
+                 {leave({1, -0.2}, {0, -0.2}, 1).front(), leave({1, -0.4}, {0, -0.4}, 2).front()}),
+           "At step 1 the circles changed their velocities by (0, -0.2) and (0, -0.2) m/s besides "
+           "gravity; in a step beside it they do so, too, so it is no hit's",
+           1);
+    addRow("turned by a wall beside the other", pair("conserves"),
+           drift({{.position = {3.4, 0}}, {.position = {3.75, 0}, .velocity = {1, 0}}},
+                 leave({0, 0}, {-1, 0}, 1)),
+           "No hit changed the velocities of the circles; one should", 0);
+    addRow("turned by one wall both", pair("collides"),
+           drift({{.position = {3.75, 0.2}, .velocity = {1, 0}},
+                  {.position = {3.75, -0.2}, .velocity = {1, 0}}},
+                 leave({-1, 0}, {-1, 0}, 1)),
+           "No velocity changed in a hit of the circles, so there is none to judge", 0, 1.0, 0.0);
     addRow("hit again while they part", pair("collides"),
            drift({{.position = {-0.05, 0}, .velocity = {-1, 0}},
                   {.position = {0.05, 0}, .velocity = {1, 0}}},
@@ -96,7 +111,7 @@ void addCollisions()
            drift(headOn(), leave({0, 0}, {1, 0})),
            "Hits that the circles answered: 1; at least 2 is right", 0, 2.0, 1.0);
     addRow("none", pair("collides"), drift(apart(), {}),
-           "The circles did not meet, so there is no hit to judge", 0, 1.0, 0.0);
+           "No velocity changed in a hit of the circles, so there is none to judge", 0, 1.0, 0.0);
     addRow("leaps away", pair("collides"),
            drift(headOn(), {{2,
                              [](Circles &c) {
@@ -131,7 +146,7 @@ void TestContactFaults::faultIsSaidToTheLetter_data()
            "At step 2 the hit changed the kinetic energy from 0.5 to 0.25 J; it should stay", 2,
            0.5, 0.25, "J");
     addRow("nothing to conserve", pair("conserves"), drift(apart(), {}),
-           "The circles never hit each other; they should", 0);
+           "No hit changed the velocities of the circles; one should", 0);
     addRow("the first leaves with another velocity", pair("after_contact", velocities({}, {1, 0})),
            drift(headOn(), leave({0.5, 0}, {0.5, 0})),
            "At step 2 circle 1 left the first hit with (0.5, 0) m/s; (0, 0) m/s is right", 2, 0.0,

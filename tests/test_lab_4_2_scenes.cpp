@@ -145,6 +145,7 @@ const WrongScene wrongScenes[] = {
     {"L42T17", "masses left out", "collisions", [](Preset &p) { p.laws.circles = CircleLaw::SwapNormal; }},
     {"L42T17", "pass through", "collisions", [](Preset &p) { p.laws.circles = CircleLaw::None; }},
     {"L42T17", "another restitution", "own-walls", [](Preset &p) { p.restitution = 0.8; }},
+    {"L42T17", "another restitution, hit", "own-collision", [](Preset &p) { p.restitution = 0.8; }},
 };
 
 struct GoodScene {

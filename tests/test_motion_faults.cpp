@@ -203,14 +203,43 @@ void addWalls()
            "At step 2 circle 2 moved by 2 m at once; with its velocity it comes 0.1 m far", 2, 0.1,
            2.0, "m");
     addRow("no hits", bounces, drift(beside({}), {}),
-           "In 1 s the walls turned a circle round 0 times; at least 1 must be seen to judge them",
-           10, 1.0, 0.0);
+           "Turns at walls in 1 s: 0; at least 1 must be seen to judge them", 10, 1.0, 0.0);
+    addRow(
+        "no hits away from the other",
+        check("bounces", {1}, {{QStringLiteral("collisions"), true}}), drift(beside({}), {}),
+        "Turns at walls, away from the other circle, in 1 s: 0; at least 1 must be seen to judge "
+        "them",
+        10, 1.0, 0.0);
+    addRow("faster as it leaves", bounces,
+           drift(beside({.position = {0, -3.75}, .velocity = {1, 1}}),
+                 held({{1, 1.2}, {1, 1.4}}, {0, -3.75})),
+           "At step 1 circle 2 was leaving the floor, with 1 m/s before the step and 1.2 m/s after "
+           "it; with gravity alone it is 1 m/s",
+           1, -1.0, -1.2, "m/s");
+    addRow("driven in every step", bounces,
+           drift(beside({.position = {3.75, 0}, .velocity = {0, 1}}),
+                 held({{0, 1.2}, {0, 1.4}}, {3.75, 0})),
+           "At step 1 the velocity of circle 2 in y went from 1 to 1.2 m/s where gravity alone "
+           "makes it 1 m/s; in a step beside it the difference is the same, so it is no wall's",
+           1, 1.0, 1.2, "m/s");
+    addRow("braked along the wall under gravity", bounces,
+           drift(beside({.position = {3.75, 0}, .velocity = {0, -1}}),
+                 held({{0, -0.6}, {0, -0.7}, {0, -0.8}}, {3.75, 0}), 1.0, unitGravity),
+           "At step 1, at a wall, circle 2 had -1 m/s along the wall before the step and -0.6 m/s "
+           "after it; with gravity alone it is -1.1 m/s",
+           1, -1.1, -0.6, "m/s");
     const CheckSpec inside = check("stays_inside", {1});
     addRow("beyond the wall", inside,
            drift(beside({.position = {3.75, 0}, .velocity = {1, 0}}), {}),
            "At step 2 the rim of circle 2 is 0.15 m beyond the right wall; at most the way of one "
            "step, 0.1 m, is right",
            2, 0.1, 0.15, "m");
+    addRow("beyond the wall at rest", inside,
+           drift(beside({.position = {3.75, 0}, .velocity = {1, 0}}),
+                 change(1, 1, [](Circle &c) { c.velocity = {}; })),
+           "At step 2 the rim of circle 2 is 0.05 m beyond the right wall, where it was without "
+           "any speed; it should not be beyond it",
+           2, 0.0, 0.05, "m");
     addRow("no visits", inside, drift(beside({}), {}),
            "In 1 s circle 2 came to a wall 0 times; at least 1 must be seen to judge whether it "
            "stays inside",

@@ -821,10 +821,6 @@
         <translation>في الخطوة ⁨%1⁩ جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ بسرعة ⁦%4 m/s⁩ وغادرته بسرعة ⁦%5 m/s⁩؛ وحاصل ضرب ⁦−e⁩ في ⁦%4 m/s⁩ مع ⁦e = %6⁩ هو ⁦%7 m/s⁩</translation>
     </message>
     <message>
-        <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
-        <translation>خلال ⁦%1 s⁩ كان عدد المرات التي ردّت فيها الجدران دائرةً ⁨%2⁩؛ يجب أن يُرى ⁨%3⁩ على الأقل للحكم عليها</translation>
-    </message>
-    <message>
         <source>At step %1 the rim of circle %2 is %3 m beyond the %4; at most the way of one step, %5 m, is right</source>
         <translation>في الخطوة ⁨%1⁩ حافة الدائرة ⁨%2⁩ على بعد ⁦%3 m⁩ وراء ⁨%4⁩؛ الصواب مسافة خطوة واحدة على الأكثر، أي ⁦%5 m⁩</translation>
     </message>
@@ -855,10 +851,6 @@
     <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
         <translation>في الخطوة ⁨%1⁩ تداخلت الدائرتان ومضتا كأن شيئًا لم يكن؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
-    </message>
-    <message>
-        <source>The circles never hit each other; they should</source>
-        <translation>لم تتصادم الدائرتان قط؛ ويجب أن تتصادما</translation>
     </message>
     <message>
         <source>At step %1 the hit changed the total momentum from %2 to %3 kg m/s; it should stay</source>
@@ -1061,8 +1053,40 @@
         <translation>التصادمات التي استجابت لها الدائرتان: ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
     </message>
     <message>
-        <source>The circles did not meet, so there is no hit to judge</source>
-        <translation>لم تلتق الدائرتان، فلا تصادم يُحكم عليه</translation>
+        <source>Turns at walls, away from the other circle, in %1 s: %2; at least %3 must be seen to judge them</source>
+        <translation>الارتدادات عن الجدران بعيدًا عن الدائرة الأخرى خلال ⁦%1 s⁩: ⁨%2⁩؛ يجب أن يُرى منها ⁨%3⁩ على الأقل للحكم عليها</translation>
+    </message>
+    <message>
+        <source>Turns at walls in %1 s: %2; at least %3 must be seen to judge them</source>
+        <translation>الارتدادات عن الجدران خلال ⁦%1 s⁩: ⁨%2⁩؛ يجب أن يُرى منها ⁨%3⁩ على الأقل للحكم عليها</translation>
+    </message>
+    <message>
+        <source>At step %1 the rim of circle %2 is %3 m beyond the %4, where it was without any speed; it should not be beyond it</source>
+        <translation>في الخطوة ⁨%1⁩ حافة الدائرة ⁨%2⁩ على بعد ⁦%3 m⁩ وراء ⁨%4⁩ حيث لم تبقَ لها سرعة؛ ينبغي ألا تكون وراءه</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles changed their velocities by %2 and %3 m/s besides gravity; in a step beside it they do so, too, so it is no hit&apos;s</source>
+        <translation>في الخطوة ⁨%1⁩ تغيّرت سرعتا الدائرتين عدا الجاذبية بمقدار ⁨%2⁩ و⁦%3 m/s⁩؛ وكذلك في خطوة مجاورة، فليس ذلك من تصادم</translation>
+    </message>
+    <message>
+        <source>No velocity changed in a hit of the circles, so there is none to judge</source>
+        <translation>لم تتغيّر أي سرعة في تصادم للدائرتين، فلا تصادم يُحكم عليه</translation>
+    </message>
+    <message>
+        <source>No hit changed the velocities of the circles; one should</source>
+        <translation>لم يغيّر أي تصادم سرعتي الدائرتين؛ ويجب أن يحدث ذلك</translation>
+    </message>
+    <message>
+        <source>At step %1, at a wall, circle %2 had %3 m/s along the wall before the step and %4 m/s after it; with gravity alone it is %5 m/s</source>
+        <translation>في الخطوة ⁨%1⁩ عند جدار كان للدائرة ⁨%2⁩ على امتداد الجدار ⁦%3 m/s⁩ قبل الخطوة و⁦%4 m/s⁩ بعدها؛ وبالجاذبية وحدها تكون ⁦%5 m/s⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s where gravity alone makes it %6 m/s; in a step beside it the difference is the same, so it is no wall&apos;s</source>
+        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ في ⁨%3⁩ من ⁨%4⁩ إلى ⁦%5 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%6 m/s⁩؛ وفي خطوة مجاورة يتكرر الفرق نفسه، فليس من جدار</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was leaving the %3, with %4 m/s before the step and %5 m/s after it; with gravity alone it is %6 m/s</source>
+        <translation>في الخطوة ⁨%1⁩ كانت الدائرة ⁨%2⁩ تغادر ⁨%3⁩ بسرعة ⁦%4 m/s⁩ قبل الخطوة و⁦%5 m/s⁩ بعدها؛ وبالجاذبية وحدها تكون ⁦%6 m/s⁩</translation>
     </message>
 </context>
 <context>

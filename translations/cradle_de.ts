@@ -813,10 +813,6 @@
         <translation>In Schritt %1 sind die Kreise ineinander gelaufen und bewegen sich weiter, als wäre nichts geschehen; sie sollen antworten, sobald ihr Abstand r₁ + r₂ ist</translation>
     </message>
     <message>
-        <source>The circles never hit each other; they should</source>
-        <translation>Die Kreise stießen nie zusammen; sie sollen es</translation>
-    </message>
-    <message>
         <source>At step %1 the hit changed the total momentum from %2 to %3 kg m/s; it should stay</source>
         <translation>In Schritt %1 änderte der Stoß den Gesamtimpuls von %2 auf %3 kg m/s; er soll bleiben</translation>
     </message>
@@ -997,10 +993,6 @@
         <translation>vom Rechner abgebrochen: die Prüfung dauerte mehr als %1 s. Das ist kein Urteil über das Programm</translation>
     </message>
     <message>
-        <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
-        <translation>In %1 s drehten die Wände %2-mal einen Kreis um; um sie zu beurteilen, muss es mindestens %3-mal zu sehen sein</translation>
-    </message>
-    <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
         <translation>In %1 s kam Kreis %2 %3-mal an eine Wand; um zu beurteilen, ob er drinnen bleibt, muss es mindestens %4-mal zu sehen sein</translation>
     </message>
@@ -1053,8 +1045,40 @@
         <translation>. Nahe an einer Wand war er %1 s lang, nahe an einem anderen Kreis %2 s: Sieh nach, was er dort tut</translation>
     </message>
     <message>
-        <source>The circles did not meet, so there is no hit to judge</source>
-        <translation>Die Kreise sind sich nicht begegnet, also gibt es keinen Stoß zu beurteilen</translation>
+        <source>Turns at walls, away from the other circle, in %1 s: %2; at least %3 must be seen to judge them</source>
+        <translation>Umkehrungen an Wänden, fern vom anderen Kreis, in %1 s: %2; mindestens %3 müssen zu sehen sein, um sie zu beurteilen</translation>
+    </message>
+    <message>
+        <source>Turns at walls in %1 s: %2; at least %3 must be seen to judge them</source>
+        <translation>Umkehrungen an Wänden in %1 s: %2; mindestens %3 müssen zu sehen sein, um sie zu beurteilen</translation>
+    </message>
+    <message>
+        <source>At step %1 the rim of circle %2 is %3 m beyond the %4, where it was without any speed; it should not be beyond it</source>
+        <translation>In Schritt %1 ist der Rand von Kreis %2 um %3 m hinter %4, wo er kein Tempo mehr hatte; er soll nicht dahinter liegen</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles changed their velocities by %2 and %3 m/s besides gravity; in a step beside it they do so, too, so it is no hit&apos;s</source>
+        <translation>In Schritt %1 änderten die Kreise ihre Geschwindigkeiten außer durch die Schwerkraft um %2 und %3 m/s; in einem Schritt daneben ebenso, also kommt es von keinem Stoß</translation>
+    </message>
+    <message>
+        <source>No velocity changed in a hit of the circles, so there is none to judge</source>
+        <translation>Keine Geschwindigkeit änderte sich in einem Stoß der Kreise, also ist keiner zu beurteilen</translation>
+    </message>
+    <message>
+        <source>No hit changed the velocities of the circles; one should</source>
+        <translation>Kein Stoß änderte die Geschwindigkeiten der Kreise; einer soll es</translation>
+    </message>
+    <message>
+        <source>At step %1, at a wall, circle %2 had %3 m/s along the wall before the step and %4 m/s after it; with gravity alone it is %5 m/s</source>
+        <translation>In Schritt %1 hatte Kreis %2 an einer Wand vor dem Schritt %3 m/s längs der Wand und danach %4 m/s; mit der Schwerkraft allein sind es %5 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s where gravity alone makes it %6 m/s; in a step beside it the difference is the same, so it is no wall&apos;s</source>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 in %3 von %4 auf %5 m/s, wo die Schwerkraft allein %6 m/s daraus macht; in einem Schritt daneben ist der Unterschied derselbe, also kommt er von keiner Wand</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was leaving the %3, with %4 m/s before the step and %5 m/s after it; with gravity alone it is %6 m/s</source>
+        <translation>In Schritt %1 bewegte sich Kreis %2 von %3 weg, mit %4 m/s vor dem Schritt und %5 m/s danach; mit der Schwerkraft allein sind es %6 m/s</translation>
     </message>
 </context>
 <context>

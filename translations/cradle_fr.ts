@@ -813,10 +813,6 @@
         <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s&#xa0;; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
     </message>
     <message>
-        <source>In %1 s the walls turned a circle round %2 times; at least %3 must be seen to judge them</source>
-        <translation>En %1 s, les parois ont renvoyé un cercle %2 fois&#xa0;; il faut en voir au moins %3 pour les évaluer</translation>
-    </message>
-    <message>
         <source>At step %1 the rim of circle %2 is %3 m beyond the %4; at most the way of one step, %5 m, is right</source>
         <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m&#xa0;; au plus le chemin d&apos;un pas, %5 m, est admis</translation>
     </message>
@@ -847,10 +843,6 @@
     <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
         <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre et continuent comme si de rien n&apos;était&#xa0;; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
-    </message>
-    <message>
-        <source>The circles never hit each other; they should</source>
-        <translation>Les cercles ne se sont jamais heurtés&#xa0;; ils doivent le faire</translation>
     </message>
     <message>
         <source>At step %1 the hit changed the total momentum from %2 to %3 kg m/s; it should stay</source>
@@ -1053,8 +1045,40 @@
         <translation>Chocs auxquels les cercles ont répondu&#xa0;: %1&#xa0;; il en faut au moins %2</translation>
     </message>
     <message>
-        <source>The circles did not meet, so there is no hit to judge</source>
-        <translation>Les cercles ne se sont pas rencontrés, il n&apos;y a donc aucun choc à juger</translation>
+        <source>Turns at walls, away from the other circle, in %1 s: %2; at least %3 must be seen to judge them</source>
+        <translation>Retours aux parois, loin de l&apos;autre cercle, en %1 s&#xa0;: %2&#xa0;; il faut en voir au moins %3 pour les juger</translation>
+    </message>
+    <message>
+        <source>Turns at walls in %1 s: %2; at least %3 must be seen to judge them</source>
+        <translation>Retours aux parois en %1 s&#xa0;: %2&#xa0;; il faut en voir au moins %3 pour les juger</translation>
+    </message>
+    <message>
+        <source>At step %1 the rim of circle %2 is %3 m beyond the %4, where it was without any speed; it should not be beyond it</source>
+        <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m alors qu&apos;il n&apos;y avait plus de vitesse&#xa0;; il ne doit pas dépasser</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles changed their velocities by %2 and %3 m/s besides gravity; in a step beside it they do so, too, so it is no hit&apos;s</source>
+        <translation>Au pas %1, les cercles ont changé leurs vitesses de %2 et %3 m/s en plus de la pesanteur&#xa0;; à un pas voisin aussi, cela ne vient donc d&apos;aucun choc</translation>
+    </message>
+    <message>
+        <source>No velocity changed in a hit of the circles, so there is none to judge</source>
+        <translation>Aucune vitesse n&apos;a changé dans un choc des cercles&#xa0;: il n&apos;y en a donc aucun à juger</translation>
+    </message>
+    <message>
+        <source>No hit changed the velocities of the circles; one should</source>
+        <translation>Aucun choc n&apos;a changé les vitesses des cercles&#xa0;; il doit y en avoir un</translation>
+    </message>
+    <message>
+        <source>At step %1, at a wall, circle %2 had %3 m/s along the wall before the step and %4 m/s after it; with gravity alone it is %5 m/s</source>
+        <translation>Au pas %1, à une paroi, le cercle %2 avait %3 m/s le long de la paroi avant le pas et %4 m/s après&#xa0;; avec la seule pesanteur, c&apos;est %5 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s where gravity alone makes it %6 m/s; in a step beside it the difference is the same, so it is no wall&apos;s</source>
+        <translation>Au pas %1, la vitesse du cercle %2 en %3 est passée de %4 à %5 m/s alors que la seule pesanteur en fait %6 m/s&#xa0;; à un pas voisin, la différence est la même&#xa0;: elle ne vient donc pas d&apos;une paroi</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was leaving the %3, with %4 m/s before the step and %5 m/s after it; with gravity alone it is %6 m/s</source>
+        <translation>Au pas %1, le cercle %2 quittait %3, à %4 m/s avant le pas et à %5 m/s après&#xa0;; avec la seule pesanteur, c&apos;est %6 m/s</translation>
     </message>
 </context>
 <context>

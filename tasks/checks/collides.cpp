@@ -118,6 +118,10 @@ Fault tooEarly(const Answer &answer)
     const double gap = answer.contact.nearest;
     const motion::Contact &c = answer.contact;
     const bool keepsA = motion::isSame(c.afterA, c.beforeA, answer.tolerance);
+    const Vec2 gravity =
+        (answer.o.circle(answer.a, c.step + 1).velocity - c.afterA) / answer.o.timestep();
+    const bool isOfEveryStep = motion::isSteady(answer.o, answer.a, c.step, gravity)
+                               && motion::isSteady(answer.o, answer.b, c.step, gravity);
     if (keepsA != motion::isSame(c.afterB, c.beforeB, answer.tolerance))
         return {.message = CollideText::tr("At step %1 circle %2 changed its velocity although it "
                                            "touched neither a wall nor the other circle: their "
@@ -128,6 +132,14 @@ Fault tooEarly(const Answer &answer)
                 .expected = 0.0,
                 .observed = gap,
                 .unit = QStringLiteral("m"),
+                .step = c.step + 1};
+    if (isOfEveryStep)
+        return {.message =
+                    CollideText::tr("At step %1 the circles changed their velocities by %2 "
+                                    "and %3 m/s besides gravity; in a step beside it they "
+                                    "do so, too, so it is no hit's")
+                        .arg(QString::number(c.step + 1), motion::figure(c.afterA - c.beforeA),
+                             motion::figure(c.afterB - c.beforeB)),
                 .step = c.step + 1};
     return {.message = CollideText::tr("At step %1 the circles changed their velocities although "
                                        "their rims were still %2 m apart; they should touch first, "
@@ -220,13 +232,14 @@ Fault missed(qint64 step)
 
 Fault tooFew(std::size_t observed, int wanted)
 {
-    return {.message =
-                observed == 0
-                    ? CollideText::tr("The circles did not meet, so there is no hit to judge")
-                    : CollideText::tr("Hits that the circles answered: %1; at least %2 is "
-                                      "right")
-                          .arg(observed)
-                          .arg(wanted),
+    return {.message = observed == 0
+                           ? CollideText::tr(
+                               "No velocity changed in a hit of the circles, so there is none "
+                               "to judge")
+                           : CollideText::tr("Hits that the circles answered: %1; at least %2 is "
+                                             "right")
+                                 .arg(observed)
+                                 .arg(wanted),
             .expected = wanted,
             .observed = static_cast<double>(observed),
             .step = 0};

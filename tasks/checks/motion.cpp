@@ -99,6 +99,16 @@ bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity, double tolera
            > tolerance * (1.0 + quickLength(o.circle(i, k).velocity));
 }
 
+bool isSteady(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Vec2 now = kick(o, i, k, gravity);
+    const auto isAsMuch = [&](qint64 other) {
+        return other >= 0 && other < o.steps()
+               && quickLength(kick(o, i, other, gravity) - now) < 0.1 * quickLength(now);
+    };
+    return isAsMuch(k - 1) || isAsMuch(k + 1);
+}
+
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
     const double dt = o.timestep();
@@ -157,6 +167,22 @@ bool isFree(const CheckSpec &check, const Observation &o, int i, qint64 k, Vec2 
     return !collisions || !isNearCircle(o, i, k, gravity);
 }
 
+namespace {
+
+/// Whether all that circle \p i gets in the step after \p k may be the push of a wall it is at.
+bool isOfWall(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Vec2 push = kick(o, i, k, gravity);
+    return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        const Vec2 n = outwardNormal(wall);
+        return wallGap(o, o.circle(i, k), wall) <= travel(o, i, k, gravity) && dot(push, n) < 0.0
+               && dot(o.circle(i, k).velocity, n) > 0.0
+               && std::abs(cross(push, n)) <= sameVelocity * (1.0 + quickLength(push));
+    });
+}
+
+} // namespace
+
 std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity)
 {
     std::vector<Contact> contacts;
@@ -179,6 +205,9 @@ std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity
         const bool wall = (!kickedA || isNearWall(o, a, k, gravity))
                           && (!kickedB || isNearWall(o, b, k, gravity));
         if (wall && contact.nearest > travel(o, a, k, gravity) + travel(o, b, k, gravity))
+            continue;
+        // Nor is what they get along the normals of walls that they are at.
+        if ((!kickedA || isOfWall(o, a, k, gravity)) && (!kickedB || isOfWall(o, b, k, gravity)))
             continue;
         contact.beforeA = ca.velocity;
         contact.beforeB = cb.velocity;

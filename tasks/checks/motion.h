@@ -34,6 +34,10 @@ inline constexpr double samePosition = 1e-9;
 [[nodiscard]] bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity,
                             double tolerance = sameVelocity);
 
+/// Whether what changed it besides gravity changed it as much in the step before or after: so does
+/// what acts in every step, and no hit.
+[[nodiscard]] bool isSteady(const Observation &o, int i, qint64 k, Vec2 gravity);
+
 /// The furthest that circle \p i can come in the step after \p k, m.
 [[nodiscard]] double travel(const Observation &o, int i, qint64 k, Vec2 gravity);
 

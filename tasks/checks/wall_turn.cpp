@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/wall_turn.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle::kinds {
+
+namespace {
+
+struct BounceText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+/// What a wall only holds falls for less than so many steps before it is stopped again.
+constexpr double heldSteps = 1.5;
+
+} // namespace
+
+Fault Turn::fault(const QString &text, double expected, double observed) const
+{
+    return {.message = text,
+            .expected = expected,
+            .observed = observed,
+            .unit = QStringLiteral("m/s"),
+            .step = step + 1,
+            .circle = circle};
+}
+
+bool Turn::reaches(Wall wall) const
+{
+    const Circle &before = o.circle(circle, step);
+    const Vec2 n = outwardNormal(wall);
+    const double dt = o.timestep();
+    const double way = (std::abs(dot(before.velocity, n)) + std::abs(dot(gravity, n)) * dt) * dt;
+    return motion::wallGap(o, before, wall) <= way + motion::samePosition;
+}
+
+std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
+{
+    const Vec2 axis = outwardNormal(high);
+    const Circle &before = o.circle(circle, step);
+    const double change = dot(motion::kick(o, circle, step, gravity), axis);
+    if (std::abs(change) <= tolerance * (1.0 + quickLength(before.velocity)))
+        return std::nullopt;
+    for (const Wall wall : {low, high}) {
+        if (reaches(wall))
+            return faultAt(wall);
+    }
+    const double kept = dot(before.velocity + o.timestep() * gravity, axis);
+    const double after = kept + change;
+    // In the open only a turn is a matter of walls; another acceleration is not.
+    const bool turned =
+        kept * after < 0.0 && std::abs(change) > restingSteps * quickLength(gravity) * o.timestep();
+    if (!turned && !motion::isNearWall(o, circle, step, gravity))
+        return std::nullopt;
+    const Wall nearest =
+        motion::wallGap(o, before, low) < motion::wallGap(o, before, high) ? low : high;
+    const bool hitsOther = std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        return wall != low && wall != high && reaches(wall);
+    });
+    if (motion::isSteady(o, circle, step, gravity))
+        return accelerated(axis);
+    if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
+        return alongWall(axis, change);
+    return fault(BounceText::tr("At step %1 circle %2 turned round although its rim was still %3 m "
+                                "from the %4; it should touch first")
+                     .arg(QString::number(step + 1), QString::number(circle + 1),
+                          motion::figure(motion::wallGap(o, before, nearest)),
+                          motion::wallName(nearest)),
+                 kept, after);
+}
+
+Fault Turn::alongWall(Vec2 axis, double change) const
+{
+    const double before = dot(o.circle(circle, step).velocity, axis);
+    const double kept = before + dot(o.timestep() * gravity, axis);
+    const double after = kept + change;
+    const QString text =
+        kept == before
+            ? BounceText::tr("At step %1 circle %2 hit a wall and its velocity along the wall "
+                             "changed from %3 to %4 m/s; only the part into the wall should change")
+            : BounceText::tr("At step %1, at a wall, circle %2 had %3 m/s along the wall before "
+                             "the step and %4 m/s after it; with gravity alone it is %5 m/s");
+    const QString said =
+        text.arg(QString::number(step + 1), QString::number(circle + 1),
+                 motion::figureBeside(before, after), motion::figureBeside(after, kept));
+    return fault(kept == before ? said : said.arg(motion::figureBeside(kept, after)), kept, after);
+}
+
+Fault Turn::accelerated(Vec2 axis) const
+{
+    const double was = dot(o.circle(circle, step).velocity, axis);
+    const double is = dot(o.circle(circle, step + 1).velocity, axis);
+    const double asked = was + dot(o.timestep() * gravity, axis);
+    const QString name =
+        std::abs(axis.x) > std::abs(axis.y) ? QStringLiteral("x") : QStringLiteral("y");
+    return fault(BounceText::tr("At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s "
+                                "where gravity alone makes it %6 m/s; in a step beside it the "
+                                "difference is the same, so it is no wall's")
+                     .arg(QString::number(step + 1), QString::number(circle + 1), name,
+                          motion::figure(was), motion::figureBeside(is, asked),
+                          motion::figureBeside(asked, is)),
+                 asked, is);
+}
+
+std::optional<Fault> Turn::faultAt(Wall wall) const
+{
+    const Vec2 n = outwardNormal(wall);
+    const double dt = o.timestep();
+    const double into = dot(o.circle(circle, step).velocity, n);
+    const double after = dot(o.circle(circle, step + 1).velocity, n);
+    const double pull = dot(gravity, n) * dt;
+    const double slack = tolerance * (1.0 + quickLength(o.circle(circle, step).velocity));
+    const double resting = restingSteps * std::abs(pull) + slack;
+    if (into >= -resting && into + std::max(pull, 0.0) <= resting
+        && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
+        return std::nullopt;
+    if (std::max(into, into + pull) <= slack)
+        return againAt(wall);
+    const double first = -restitution * into + pull;
+    const double last = -restitution * (into + pull);
+    if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
+        return std::nullopt;
+    return motion::isSteady(o, circle, step, gravity) ? accelerated(n) : wrongAt(wall, first, last);
+}
+
+Fault Turn::againAt(Wall wall) const
+{
+    const Vec2 n = outwardNormal(wall);
+    const double into = dot(o.circle(circle, step).velocity, n);
+    const double after = dot(o.circle(circle, step + 1).velocity, n);
+    if (after > 0.0)
+        return fault(BounceText::tr("At step %1 circle %2 was already leaving the %3 with %4 m/s "
+                                    "and was turned round again; it should be left alone")
+                         .arg(QString::number(step + 1), QString::number(circle + 1),
+                              motion::wallName(wall), motion::figure(-into)),
+                     into, after);
+    const double asked = into + dot(gravity, n) * o.timestep();
+    return fault(BounceText::tr("At step %1 circle %2 was leaving the %3, with %4 m/s before the "
+                                "step and %5 m/s after it; with gravity alone it is %6 m/s")
+                     .arg(QString::number(step + 1), QString::number(circle + 1),
+                          motion::wallName(wall), motion::figure(-into),
+                          motion::figureBeside(-after, -asked),
+                          motion::figureBeside(-asked, -after)),
+                 asked, after);
+}
+
+Fault Turn::wrongAt(Wall wall, double first, double last) const
+{
+    const Vec2 n = outwardNormal(wall);
+    const double into = dot(o.circle(circle, step).velocity, n);
+    const double after = dot(o.circle(circle, step + 1).velocity, n);
+    const double pull = dot(gravity, n) * o.timestep();
+    const double slack = tolerance * (1.0 + quickLength(o.circle(circle, step).velocity));
+    const QString place = QString::number(step + 1);
+    const QString who = QString::number(circle + 1);
+    if (std::abs(pull) <= slack && restitution == 1.0)
+        return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it "
+                                    "with %5 m/s; %6 m/s is right")
+                         .arg(place, who, motion::wallName(wall), motion::figure(into),
+                              motion::figureBeside(after, last), motion::figureBeside(last, after)),
+                     last, after);
+    if (std::abs(pull) <= slack)
+        return fault(BounceText::tr("At step %1 circle %2 came to the %3 with %4 m/s and left it "
+                                    "with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s")
+                         .arg(place, who, motion::wallName(wall), motion::figure(into),
+                              motion::figureBeside(after, last), motion::figure(restitution),
+                              motion::figureBeside(last, after)),
+                     last, after);
+    // Gravity of this step may act before the hit or after it.
+    return fault(
+        BounceText::tr("At step %1 the velocity of circle %2 into the %3 was %4 m/s before "
+                       "the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 "
+                       "m/s is right")
+            .arg(place, who, motion::wallName(wall), motion::figure(into),
+                 motion::figureBeside(after, last), motion::figure(restitution),
+                 motion::figureBeside(std::min(first, last), after),
+                 motion::figureBeside(std::max(first, last), after)),
+        last, after);
+}
+
+bool Turn::isHit() const
+{
+    const Circle &before = o.circle(circle, step);
+    const Vec2 kick = motion::kick(o, circle, step, gravity);
+    return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        const Vec2 n = outwardNormal(wall);
+        // Nothing falls onto a wall along which gravity pulls.
+        const double held = heldSteps * std::abs(dot(gravity, n)) * o.timestep();
+        const double into = dot(before.velocity, n);
+        return into > held + stopped && -dot(kick, n) > 0.5 * into
+               && motion::wallGap(o, before, wall) <= motion::travel(o, circle, step, gravity);
+    });
+}
+
+} // namespace cradle::kinds

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/checks/motion.h"
+
+namespace cradle::kinds {
+
+/// A circle that comes to the wall slower than gravity makes it in so many steps is about to rest:
+/// then a program may well keep it there.
+inline constexpr double restingSteps = 3.0;
+/// A circle that comes to a wall slower than this has been stopped by it, m/s.
+inline constexpr double stopped = 1e-6;
+
+/// One look at a circle that changed its velocity by more than gravity.
+struct Turn {
+    const Observation &o;
+    int circle;
+    qint64 step;
+    Vec2 gravity;
+    double restitution;
+    double tolerance;
+
+    /// Judges what happened on one axis, between the walls \p low and \p high.
+    [[nodiscard]] std::optional<Fault> faultAlong(Wall low, Wall high) const;
+    /// Whether a wall turned or stopped it, and not only held what rests there.
+    [[nodiscard]] bool isHit() const;
+
+private:
+    /// Whether the way of one step, along its normal, takes the rim to that wall.
+    [[nodiscard]] bool reaches(Wall wall) const;
+    /// Judges a bounce off \p wall: v_n' = −e v_n, with gravity's part of the step before or after
+    /// it.
+    [[nodiscard]] std::optional<Fault> faultAt(Wall wall) const;
+    [[nodiscard]] Fault againAt(Wall wall) const;
+    [[nodiscard]] Fault wrongAt(Wall wall, double first, double last) const;
+    [[nodiscard]] Fault alongWall(Vec2 axis, double change) const;
+    /// That a force other than gravity acts, which is none of a wall.
+    [[nodiscard]] Fault accelerated(Vec2 axis) const;
+    [[nodiscard]] Fault fault(const QString &text, double expected, double observed) const;
+};
+
+} // namespace cradle::kinds
