@@ -237,15 +237,15 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
                     "or math.abs(c.position.y) > room then "
                     "c.velocity = c.velocity:perpendicular() end");
         });
-    row("L42T2", "the left-hand wall holds it",
-        "These walls do not turn circle 1 round: left wall, floor", [](OtherForm &f) {
+    row("L42T2", "the left-hand wall holds it", "Not every wall holds circle 1: left wall, floor",
+        [](OtherForm &f) {
             f.walls =
                 lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
                     "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
                     "if math.abs(c.position.y) > room then "
                     "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
         });
-    row("L42T2", "no ceiling", "These walls do not turn circle 1 round: ceiling", [](OtherForm &f) {
+    row("L42T2", "no ceiling", "Not every wall holds circle 1: ceiling", [](OtherForm &f) {
         f.walls = clamp;
         edit(f.walls, "y > room", "false");
     });

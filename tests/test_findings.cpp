@@ -124,7 +124,7 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
             f.integrate = symplectic;
         });
     row("L42T7", "motion and walls",
-        {text("Gravity acts on both circles twice in every step"),
+        {text("Gravity acts on both circles twice as strongly"),
          text("At the walls the centre of both circles is asked for, not the rim")},
         [](OtherForm &f) {
             f.integrate = lab("c.velocity = c.velocity + 2 * gravity * h "
@@ -133,7 +133,8 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
         });
     row("L42T12", "walls and answer",
         {text("The walls turn both circles round too early"),
-         text("The whole velocities change hands, not only the parts along the normal")},
+         text("Of two equal circles the whole velocities change hands, not only the parts along "
+              "the normal")},
         [](OtherForm &f) {
             edit(f.walls, "- c.radius", "- 2 * c.radius");
             f.answer = lab("p.velocity, q.velocity = q.velocity, p.velocity");

@@ -168,7 +168,7 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "way back", "-c.velocity * h", fall,
         text("The way of both circles is subtracted instead of added"));
     row("L42T4", "way twice", "2 * c.velocity * h", fall,
-        text("Every step moves both circles twice"));
+        text("Every step moves both circles twice as far"));
     row("L42T4", "x only", "vec(c.velocity.x * h, 0)", fall,
         text("The y of both circles never changes"));
     row("L42T4", "fall without time", way, "gravity",
@@ -206,7 +206,7 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "the place by the clock", "vec(-2, 2) - c.position + vec(2, 0) * time", fall,
         {late});
     row("L42T4", "y twice", "vec(c.velocity.x, 2 * c.velocity.y) * h", fall,
-        text("Every step moves both circles twice (only in y)"));
+        text("Every step moves both circles twice as far (only in y)"));
     row("L42T4", "no fall faster than 4 m/s", way,
         "(c.velocity.y > -4 and gravity * h or vec(0, 0))",
         text("What changes the velocity of both circles asks how it moves"));
@@ -219,10 +219,10 @@ void TestFlightLaw::faultIsNamed_data()
         text("The velocity does not move both circles"));
     // Two of them: both are named, and none besides.
     row("L42T4", "way twice, fall half", "2 * c.velocity * h", "gravity * h / 2",
-        {QStringLiteral("Every step moves both circles twice"),
+        {QStringLiteral("Every step moves both circles twice as far"),
          QStringLiteral("The velocity of both circles gets only half of gravity")});
     row("L42T4", "fall twice, other order", "(c.velocity + 2 * gravity * h) * h", "2 * gravity * h",
-        {QStringLiteral("Gravity acts on both circles twice in every step"),
+        {QStringLiteral("Gravity acts on both circles twice as strongly"),
          QStringLiteral("The motion of both circles is symplectic Euler, not Euler")});
 }
 

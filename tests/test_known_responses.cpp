@@ -79,7 +79,8 @@ const Answer answers[] = {
     {"Circle 2 bounces as off a wall, and circle 1 stays as it was", {1.2, 0.4, 0.3, 0.1}},
     {"The parts across the line of centres turn round, not those along it",
      {1.2, -0.4, -0.3, -0.1}},
-    {"The whole velocities change hands, not only the parts along the normal",
+    {"Of two equal circles the whole velocities change hands, not only the parts along "
+     "the normal",
      {-0.3, 0.1, 1.2, 0.4}},
     {"The parts across change hands, and those along the normal stay", {1.2, 0.1, -0.3, 0.4}},
     {"The parts across the normal are lost", {-0.3, 0, 1.2, 0}},

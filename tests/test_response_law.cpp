@@ -144,7 +144,8 @@ void TestResponseLaw::faultIsNamed_data()
     rows("area and e squared",
          {.mass = text("c.density * c.radius ^ 2"), .e = text("restitution ^ 2")}, {area, squared});
     answer("swap", "p.velocity, q.velocity = q.velocity, p.velocity",
-           "The whole velocities change hands, not only the parts along the normal");
+           "Of two equal circles the whole velocities change hands, not only the parts along "
+           "the normal");
     answer("no temp", "p.velocity = q.velocity q.velocity = p.velocity",
            "Both circles leave with the velocity of circle 2");
     answer("stop", "p.velocity, q.velocity = vec(0, 0), vec(0, 0)", "A hit stops both circles");

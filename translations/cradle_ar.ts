@@ -2144,12 +2144,12 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>انظر إلى الإشارات.</translation>
     </message>
     <message>
-        <source>Gravity acts on %who twice in every step</source>
-        <translation>تؤثر الجاذبية في %who مرتين في كل خطوة</translation>
+        <source>Gravity acts on %who twice as strongly</source>
+        <translation>تؤثر الجاذبية في %who بضعف شدّتها</translation>
     </message>
     <message>
-        <source>Count the lines of a step that change the velocity.</source>
-        <translation>عُدّ أسطر الخطوة التي تغيّر السرعة.</translation>
+        <source>Count the lines of a step that change the velocity, and look at their factors.</source>
+        <translation>عُدّ أسطر الخطوة التي تغيّر السرعة، وانظر إلى عواملها.</translation>
     </message>
     <message>
         <source>The velocity of %who gets only half of gravity</source>
@@ -2380,12 +2380,12 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>انظر إلى الإشارة في السطر الذي يحرّك الدائرة.</translation>
     </message>
     <message>
-        <source>Every step moves %who twice</source>
-        <translation>كل خطوة تحرّك %who مرتين</translation>
+        <source>Every step moves %who twice as far</source>
+        <translation>كل خطوة تحرّك %who ضعف المسافة</translation>
     </message>
     <message>
-        <source>Count the lines that change the position in a step without a hit.</source>
-        <translation>عُدّ الأسطر التي تغيّر الموضع في خطوة بلا تصادم.</translation>
+        <source>Count the lines that change the position in a step without a hit, and look at their factors.</source>
+        <translation>عُدّ الأسطر التي تغيّر الموضع في خطوة بلا تصادم، وانظر إلى عواملها.</translation>
     </message>
     <message>
         <source>The way of %who in a step is %1 times v Δt</source>
@@ -2464,12 +2464,12 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩. احسب الكتلتين من ⁦`radius`⁩ و⁦`density`⁩، اللتين تغيّرهما مشاهد أخرى.</translation>
     </message>
     <message>
-        <source>The circles answer as if they were equally heavy</source>
-        <translation>تستجيب الدائرتان كأنهما متساويتان في الثقل</translation>
+        <source>Both velocities change equally much, whatever the masses are</source>
+        <translation>تتغيّر السرعتان بالمقدار نفسه مهما كانت الكتلتان</translation>
     </message>
     <message>
-        <source>Look at where the masses of both enter your answer.</source>
-        <translation>انظر أين تدخل كتلتا الدائرتين في استجابتك.</translation>
+        <source>The heavier of two circles changes its velocity less. Look at where the masses of both enter your answer.</source>
+        <translation>الدائرة الأثقل تتغيّر سرعتها أقل. انظر أين تدخل كتلتا الدائرتين في استجابتك.</translation>
     </message>
     <message>
         <source>The heavier circle is pushed away faster</source>
@@ -2688,8 +2688,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>السرعتان الجديدتان كلتاهما تأتيان من السرعتين *قبل* التصادم: انظر أيّ الأسطر يقرأ سرعة قد كُتبت.</translation>
     </message>
     <message>
-        <source>The whole velocities change hands, not only the parts along the normal</source>
-        <translation>تتبادل الدائرتان السرعتين كاملتين، لا المركّبتين على الناظم فقط</translation>
+        <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
+        <translation>بين دائرتين متساويتين تُتبادل السرعتان كاملتين، لا المركّبتان على الناظم فقط</translation>
     </message>
     <message>
         <source>The parts across change hands, and those along the normal stay</source>
@@ -3024,6 +3024,14 @@ Look at what `on_load` sets, and for which circle.</source>
         <translation>لا تزال السرعة تشير إلى داخل الجدار: انظر إلى الإشارة.</translation>
     </message>
     <message>
+        <source>The walls give %who between %1 and %2 times the speed back</source>
+        <translation>الجدران تعيد إلى %who السرعة مضروبةً في ما بين ⁨%1⁩ و⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>Look at the factors in front of the part that you turn round.</source>
+        <translation>انظر إلى العوامل أمام المركّبة التي تعكسها.</translation>
+    </message>
+    <message>
         <source>The walls give %who %1 times the speed back</source>
         <translation>الجدران تعيد إلى %who السرعة مضروبةً في ⁨%1⁩</translation>
     </message>
@@ -3129,11 +3137,11 @@ Look at what `on_load` sets, and for which circle.</source>
         <translation>عند الرمي نحو كلٍّ من الجدران الأربعة بسرعة ⁦%1 m/s⁩ يستمر المسير عبرها. بعد كل حركة تحتاج كل دائرة إلى أسئلتها: هل تجاوزت حافتها جدارًا؟</translation>
     </message>
     <message>
-        <source>These walls do not turn %who round: %1</source>
-        <translation>هذه الجدران لا تردّ %who: ⁨%1⁩</translation>
+        <source>Not every wall holds %who: %1</source>
+        <translation>هناك جدار لا يوقف %who: ⁨%1⁩</translation>
     </message>
     <message>
-        <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
+        <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
         <translation>عند الرمي نحوها يستمر المسير وراء الجدار. للمربع أربعة جدران: انظر إلى السؤال الذي يطرحه برنامجك عن كلٍّ منها.</translation>
     </message>
     <message>

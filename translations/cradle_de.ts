@@ -2112,12 +2112,12 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Sieh dir das Vorzeichen in der Zeile an, die den Kreis bewegt.</translation>
     </message>
     <message>
-        <source>Every step moves %who twice</source>
-        <translation>Jeder Schritt bewegt %who zweimal</translation>
+        <source>Every step moves %who twice as far</source>
+        <translation>Jeder Schritt bewegt %who doppelt so weit</translation>
     </message>
     <message>
-        <source>Count the lines that change the position in a step without a hit.</source>
-        <translation>Zähle die Zeilen, die in einem Schritt ohne Stoß den Ort ändern.</translation>
+        <source>Count the lines that change the position in a step without a hit, and look at their factors.</source>
+        <translation>Zähle die Zeilen, die in einem Schritt ohne Stoß den Ort ändern, und sieh dir ihre Faktoren an.</translation>
     </message>
     <message>
         <source>The way of %who in a step is %1 times v Δt</source>
@@ -2188,12 +2188,12 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Sieh dir die Vorzeichen an.</translation>
     </message>
     <message>
-        <source>Gravity acts on %who twice in every step</source>
-        <translation>Die Schwerkraft wirkt in jedem Schritt zweimal auf %who</translation>
+        <source>Gravity acts on %who twice as strongly</source>
+        <translation>Die Schwerkraft wirkt doppelt so stark auf %who</translation>
     </message>
     <message>
-        <source>Count the lines of a step that change the velocity.</source>
-        <translation>Zähle in einem Schritt die Zeilen, die die Geschwindigkeit ändern.</translation>
+        <source>Count the lines of a step that change the velocity, and look at their factors.</source>
+        <translation>Zähle in einem Schritt die Zeilen, die die Geschwindigkeit ändern, und sieh dir ihre Faktoren an.</translation>
     </message>
     <message>
         <source>The velocity of %who gets only half of gravity</source>
@@ -2320,12 +2320,12 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1. Rechne die Massen aus `radius` und `density` aus, die sich in anderen Szenen ändern.</translation>
     </message>
     <message>
-        <source>The circles answer as if they were equally heavy</source>
-        <translation>Die Kreise antworten, als wären sie gleich schwer</translation>
+        <source>Both velocities change equally much, whatever the masses are</source>
+        <translation>Beide Geschwindigkeiten ändern sich gleich stark, wie groß die Massen auch sind</translation>
     </message>
     <message>
-        <source>Look at where the masses of both enter your answer.</source>
-        <translation>Sieh nach, wo die Massen beider in deine Antwort eingehen.</translation>
+        <source>The heavier of two circles changes its velocity less. Look at where the masses of both enter your answer.</source>
+        <translation>Der schwerere von zwei Kreisen ändert seine Geschwindigkeit weniger. Sieh nach, wo die Massen beider in deine Antwort eingehen.</translation>
     </message>
     <message>
         <source>Each circle answers with the mass of the other</source>
@@ -2504,8 +2504,8 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Beide neuen Geschwindigkeiten kommen aus denen *vor* dem Stoß: Sieh nach, welche Zeilen eine Geschwindigkeit lesen, die schon geschrieben wurde.</translation>
     </message>
     <message>
-        <source>The whole velocities change hands, not only the parts along the normal</source>
-        <translation>Die ganzen Geschwindigkeiten wechseln, nicht nur die Anteile längs der Normalen</translation>
+        <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
+        <translation>Zwischen gleichen Kreisen wechseln die ganzen Geschwindigkeiten, nicht nur die Anteile längs der Normalen</translation>
     </message>
     <message>
         <source>The parts across change hands, and those along the normal stay</source>
@@ -2900,6 +2900,14 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>Ein Stoß hält nicht beide Kreise an</translation>
     </message>
     <message>
+        <source>The walls give %who between %1 and %2 times the speed back</source>
+        <translation>Von den Wänden kommt für %who das %1- bis %2-fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>Look at the factors in front of the part that you turn round.</source>
+        <translation>Sieh dir die Faktoren vor dem Anteil an, den du umkehrst.</translation>
+    </message>
+    <message>
         <source>The walls give %who %1 times the speed back</source>
         <translation>Von den Wänden kommt für %who das %1-fache des Tempos zurück</translation>
     </message>
@@ -3076,12 +3084,12 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>Keine der vier Wände lässt %who umkehren</translation>
     </message>
     <message>
-        <source>These walls do not turn %who round: %1</source>
-        <translation>Wände lassen %who nicht umkehren, und zwar an %1</translation>
+        <source>Not every wall holds %who: %1</source>
+        <translation>Wände halten %who nicht auf, und zwar an %1</translation>
     </message>
     <message>
-        <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>Dorthin geworfen, geht er über die Wand hinaus weiter. Ein Quadrat hat vier Wände: Sieh dir an, was dein Programm bei jeder fragt.</translation>
+        <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
+        <translation>Dorthin geworfen, geht der Kreis über die Wand hinaus weiter. Ein Quadrat hat vier Wände: Sieh dir an, was dein Programm bei jeder fragt.</translation>
     </message>
     <message>
         <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>

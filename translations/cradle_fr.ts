@@ -2120,12 +2120,12 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Regardez les signes.</translation>
     </message>
     <message>
-        <source>Gravity acts on %who twice in every step</source>
-        <translation>La pesanteur agit deux fois par pas sur %who</translation>
+        <source>Gravity acts on %who twice as strongly</source>
+        <translation>La pesanteur agit deux fois trop fort sur %who</translation>
     </message>
     <message>
-        <source>Count the lines of a step that change the velocity.</source>
-        <translation>Comptez les lignes d&apos;un pas qui changent la vitesse.</translation>
+        <source>Count the lines of a step that change the velocity, and look at their factors.</source>
+        <translation>Comptez les lignes d&apos;un pas qui changent la vitesse, et regardez leurs facteurs.</translation>
     </message>
     <message>
         <source>The velocity of %who gets only half of gravity</source>
@@ -2356,12 +2356,12 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Regardez le signe dans la ligne du déplacement.</translation>
     </message>
     <message>
-        <source>Every step moves %who twice</source>
-        <translation>Chaque pas déplace deux fois %who</translation>
+        <source>Every step moves %who twice as far</source>
+        <translation>Chaque pas déplace deux fois trop loin %who</translation>
     </message>
     <message>
-        <source>Count the lines that change the position in a step without a hit.</source>
-        <translation>Comptez les lignes qui changent la position dans un pas sans choc.</translation>
+        <source>Count the lines that change the position in a step without a hit, and look at their factors.</source>
+        <translation>Comptez les lignes qui changent la position dans un pas sans choc, et regardez leurs facteurs.</translation>
     </message>
     <message>
         <source>The way of %who in a step is %1 times v Δt</source>
@@ -2440,12 +2440,12 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1. Calculez les masses à partir de `radius` et `density`, que d&apos;autres scènes changent.</translation>
     </message>
     <message>
-        <source>The circles answer as if they were equally heavy</source>
-        <translation>Les cercles réagissent comme s&apos;ils étaient de même masse</translation>
+        <source>Both velocities change equally much, whatever the masses are</source>
+        <translation>Les deux vitesses changent autant l&apos;une que l&apos;autre, quelles que soient les masses</translation>
     </message>
     <message>
-        <source>Look at where the masses of both enter your answer.</source>
-        <translation>Regardez où les masses des deux entrent dans votre réponse.</translation>
+        <source>The heavier of two circles changes its velocity less. Look at where the masses of both enter your answer.</source>
+        <translation>Le plus lourd de deux cercles change moins de vitesse. Regardez où les masses des deux entrent dans votre réponse.</translation>
     </message>
     <message>
         <source>The heavier circle is pushed away faster</source>
@@ -2664,8 +2664,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Les deux nouvelles vitesses se calculent à partir de celles d&apos;*avant* le choc&#xa0;: regardez quelles lignes lisent une vitesse déjà modifiée.</translation>
     </message>
     <message>
-        <source>The whole velocities change hands, not only the parts along the normal</source>
-        <translation>Les vitesses entières s&apos;échangent, pas seulement les composantes normales</translation>
+        <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
+        <translation>Entre cercles égaux, les vitesses entières s&apos;échangent, pas seulement les composantes normales</translation>
     </message>
     <message>
         <source>The parts across change hands, and those along the normal stay</source>
@@ -3000,6 +3000,14 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
         <translation>La vitesse pointe toujours vers la paroi&#xa0;: regardez le signe.</translation>
     </message>
     <message>
+        <source>The walls give %who between %1 and %2 times the speed back</source>
+        <translation>Les parois rendent entre %1 et %2 fois la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at the factors in front of the part that you turn round.</source>
+        <translation>Regardez les facteurs devant la composante que vous inversez.</translation>
+    </message>
+    <message>
         <source>The walls give %who %1 times the speed back</source>
         <translation>Les parois rendent %1 fois la vitesse, pour %who</translation>
     </message>
@@ -3105,11 +3113,11 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
         <translation>Lancé vers chacune des quatre parois à %1 m/s, le cercle les traverse. Après chaque déplacement, il faut poser pour chaque cercle la question&#xa0;: son bord a-t-il passé une paroi&#xa0;?</translation>
     </message>
     <message>
-        <source>These walls do not turn %who round: %1</source>
-        <translation>Certaines parois ne renvoient pas %who&#xa0;: %1</translation>
+        <source>Not every wall holds %who: %1</source>
+        <translation>Certaines parois n&apos;arrêtent pas %who&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Thrown there it goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
+        <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
         <translation>Lancé vers là, le cercle continue au-delà de la paroi. Un carré a quatre parois&#xa0;: regardez la condition de votre programme pour chacune.</translation>
     </message>
     <message>

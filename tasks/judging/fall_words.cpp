@@ -177,8 +177,9 @@ private:
             return {FlightText::tr("Gravity pushes %who against its own direction"),
                     FlightText::tr("Look at the signs.")};
         if (std::abs(p.value - 2.0) < wrong)
-            return {FlightText::tr("Gravity acts on %who twice in every step"),
-                    FlightText::tr("Count the lines of a step that change the velocity.")};
+            return {FlightText::tr("Gravity acts on %who twice as strongly"),
+                    FlightText::tr("Count the lines of a step that change the velocity, and look "
+                                   "at their factors.")};
         if (std::abs(p.value - 0.5) < wrong)
             return {FlightText::tr("The velocity of %who gets only half of gravity"),
                     FlightText::tr("Look for a factor ½, or for a second half that is missing.")};

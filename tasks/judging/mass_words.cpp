@@ -153,9 +153,11 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
         return a && b && std::abs(*a - *b) > 3.0 * ratioBlur;
     };
     if (isOff(p.radius, good.radius) && is(p.radius, 0.0) && (!good.density || is(p.density, 0.0)))
-        return {say(ResponseText::tr("The circles answer as if they were equally heavy"),
-                    ResponseText::tr("Look at where the masses of both enter your answer."),
-                    own.radii, right.radii)};
+        return {
+            say(ResponseText::tr("Both velocities change equally much, whatever the masses are"),
+                ResponseText::tr("The heavier of two circles changes its velocity less. Look at "
+                                 "where the masses of both enter your answer."),
+                own.radii, right.radii)};
     std::vector<LawDeviation> found;
     const bool exchanged =
         p.radius && *p.radius < -ratioBlur && (!p.density || *p.density < ratioBlur);

@@ -93,7 +93,8 @@ std::vector<ResponseLaw> exchangeLaws()
              return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
          },
          ResponseLawText::tr(
-             "The whole velocities change hands, not only the parts along the normal"),
+             "Of two equal circles the whole velocities change hands, not only the parts along the "
+             "normal"),
          along},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1};
@@ -169,12 +170,6 @@ std::vector<ResponseLaw> exchangeLaws()
          ResponseLawText::tr("Circle 1 keeps the part that it hands over"),
          ResponseLawText::tr("What circle 2 gets, circle 1 must lose.")},
         {[](Hit h) {
-             return PairVelocities{-h.in.along2, h.in.across1, -h.in.along1, h.in.across2};
-         },
-         ResponseLawText::tr(
-             "The parts along the normal change hands and are turned round as well"),
-         ResponseLawText::tr("The exchange alone is the whole answer.")},
-        {[](Hit h) {
              return PairVelocities{2.0 * h.in.along1 - h.right.along1, h.right.across1,
                                    h.right.along2, h.right.across2};
          },
@@ -186,6 +181,12 @@ std::vector<ResponseLaw> exchangeLaws()
          },
          ResponseLawText::tr("The push on circle 2 has the wrong sign"),
          ResponseLawText::tr("It loses the part that it should gain.")},
+        {[](Hit h) {
+             return PairVelocities{-h.in.along2, h.in.across1, -h.in.along1, h.in.across2};
+         },
+         ResponseLawText::tr(
+             "The parts along the normal change hands and are turned round as well"),
+         ResponseLawText::tr("The exchange alone is the whole answer.")},
         {[](Hit h) { return pushed(h, -1.0); },
          ResponseLawText::tr("Both pushes have the wrong sign"),
          ResponseLawText::tr("The circles are drawn into each other.")}};

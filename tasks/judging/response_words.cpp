@@ -123,6 +123,31 @@ private:
 
 } // namespace
 
+namespace {
+
+/// What a right program makes of circles that come with \p in. Where one impulse answers them, it
+/// grows with the closing speed; what it makes of its own arrival, \p right, is taken over else.
+PairVelocities rightFor(const PairVelocities &in, const PairHit &right)
+{
+    const Meeting &m = right.meeting;
+    const PairVelocities came = right.cameParts();
+    const PairVelocities left = right.leftParts();
+    const double closing = came.along1 - came.along2;
+    const double push1 = left.along1 - came.along1;
+    const double push2 = left.along2 - came.along2;
+    const double ratio = std::pow(m.radius2 / m.radius1, 3) * m.density2 / m.density1;
+    const double blur = 1e-6 * std::abs(closing);
+    const bool isImpulse = std::abs(push1 + ratio * push2) <= blur
+                           && std::abs(left.across1 - came.across1) <= blur
+                           && std::abs(left.across2 - came.across2) <= blur;
+    if (!isImpulse || blur == 0.0)
+        return left;
+    const double share = (in.along1 - in.along2) / closing;
+    return {in.along1 + share * push1, in.across1, in.along2 + share * push2, in.across2};
+}
+
+} // namespace
+
 LawDeviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit,
                                Suspect suspect)
 {
@@ -136,7 +161,7 @@ QString describeHit(const PairHit &hit, const PairHit &right)
 {
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
-    const PairVelocities good = right.leftParts();
+    const PairVelocities good = rightFor(in, right);
     // The line of centres turns a little in a step: what that makes is no part of a velocity.
     const double blur = 2e-3 * std::max(length(hit.came1), length(hit.came2));
     const auto seen = [&](double part) {

@@ -180,6 +180,18 @@ private:
                                  "at the factor in front of the part that you turn round.")
                         .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
                              brief(other->back))};
+        const auto lowest = std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
+            return m_own.hits[a].back < m_own.hits[b].back;
+        });
+        const auto highest = std::max_element(odd.begin(), odd.end(), [&](auto a, auto b) {
+            return m_own.hits[a].back < m_own.hits[b].back;
+        });
+        const double least = m_own.hits[*lowest].back;
+        const double most = m_own.hits[*highest].back;
+        if (!isNear(least, most, blur()))
+            return {WallText::tr("The walls give %who between %1 and %2 times the speed back")
+                        .arg(brief(least), brief(most)),
+                    WallText::tr("Look at the factors in front of the part that you turn round.")};
         return {WallText::tr("The walls give %who %1 times the speed back").arg(brief(hit.back)),
                 WallText::tr("Look at the factor in front of the part that you turn round.")};
     }

@@ -75,9 +75,10 @@ private:
             const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
                 return h.circle == same.front() && !h.turned && !h.held && !h.missed;
             });
-            add(WallText::tr("These walls do not turn %who round: %1").arg(namesOf(open[i].second)),
-                WallText::tr("Thrown there it goes on past the wall. A square has four walls: look "
-                             "at the question that your program asks for each."),
+            add(WallText::tr("Not every wall holds %who: %1").arg(namesOf(open[i].second)),
+                WallText::tr(
+                    "Thrown there, the circle goes on past the wall. A square has four walls: look "
+                    "at the question that your program asks for each."),
                 as(*at), same, Suspect::Omission);
             noteMissing(same);
         }

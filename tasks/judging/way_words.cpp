@@ -126,9 +126,9 @@ private:
             return {FlightText::tr("The way of %who is subtracted instead of added"),
                     FlightText::tr("Look at the sign in the line that moves it.")};
         if (std::abs(p.value - 2.0) < wrong)
-            return {FlightText::tr("Every step moves %who twice"),
+            return {FlightText::tr("Every step moves %who twice as far"),
                     FlightText::tr("Count the lines that change the position in a step without a "
-                                   "hit.")};
+                                   "hit, and look at their factors.")};
         return {FlightText::tr("The way of %who in a step is %1 times v Δt").arg(brief(p.value)),
                 FlightText::tr("Look at the factors in the line that moves it.")};
     }
