@@ -32,6 +32,7 @@ private slots:
     void saysWhatIsWrong();
     void writesToPipes();
     void fullDeviceIsSaid();
+    void aFileInMemoryIsReplacedWhole();
     void makesFolders();
     void removesWhatAKilledProcessLeft();
 
@@ -181,6 +182,18 @@ void TestFileIo::fullDeviceIsSaid()
     const auto error = writeFile(QStringLiteral("/dev/full"), "x");
     QVERIFY(error);
     QCOMPARE(error->message, QStringLiteral("the disk is full"));
+}
+
+/// A folder under /dev may hold files as others are: only what stands for a device is written to.
+void TestFileIo::aFileInMemoryIsReplacedWhole()
+{
+    const QTemporaryDir folder(QStringLiteral("/dev/shm/cradle-XXXXXX"));
+    if (!folder.isValid())
+        QSKIP("there is no folder in memory");
+    const QString file = folder.filePath(QStringLiteral("f.txt"));
+    QVERIFY(!writeFile(file, "the first, which is longer"));
+    QVERIFY(!writeFile(file, "the second"));
+    QCOMPARE(content(file), QByteArray("the second"));
 }
 
 void TestFileIo::makesFolders()

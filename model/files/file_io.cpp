@@ -53,8 +53,8 @@ int writeAll(int descriptor, const char *data, qsizetype size)
 /// for a file that is open already.
 bool isWrittenTo(const QByteArray &path, const struct stat &there)
 {
-    return (!S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) || path.startsWith("/dev/")
-           || path.startsWith("/proc/");
+    return (!S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) || path == "/dev/stdout"
+           || path == "/dev/stderr" || path.startsWith("/dev/fd/") || path.startsWith("/proc/");
 }
 
 /// A new file beside the one that is to be replaced; \p path becomes its name.
