@@ -138,7 +138,7 @@ void TestResponseLaw::faultIsNamed_data()
     rows("inverted", {.mass = text("1 / (c.density * c.radius ^ 3)"), .e = e},
          {text("Each circle answers with the mass of the other")});
     rows("e squared", {.e = text("restitution ^ 2")}, {squared});
-    rows("no e", {}, {text("e is not used in the hit of two circles")});
+    rows("no e", {}, {text("e changes nothing in the hits that were tried")});
     rows("minus e", {.e = text("-restitution")},
          {text("The sign of e is wrong in the hit of two circles")});
     rows("area and e squared",

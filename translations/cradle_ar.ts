@@ -2556,8 +2556,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>لا يؤثر e إلا في الدائرة 2</translation>
     </message>
     <message>
-        <source>e is not used in the hit of two circles</source>
-        <translation>المعامل e لا يُستعمل في تصادم الدائرتين</translation>
+        <source>e changes nothing in the hits that were tried</source>
+        <translation>لا يغيّر المعامل e شيئًا في التصادمات المجرَّبة</translation>
     </message>
     <message>
         <source>e is squared in the hit of two circles</source>

@@ -2376,8 +2376,8 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Nur Kreis 2 spürt e</translation>
     </message>
     <message>
-        <source>e is not used in the hit of two circles</source>
-        <translation>e kommt im Stoß zweier Kreise nicht vor</translation>
+        <source>e changes nothing in the hits that were tried</source>
+        <translation>In den erprobten Stößen ändert e nichts</translation>
     </message>
     <message>
         <source>e is squared in the hit of two circles</source>

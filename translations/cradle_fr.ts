@@ -2532,8 +2532,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Seul le cercle 2 ressent e</translation>
     </message>
     <message>
-        <source>e is not used in the hit of two circles</source>
-        <translation>e n&apos;est pas utilisé dans le choc de deux cercles</translation>
+        <source>e changes nothing in the hits that were tried</source>
+        <translation>e ne change rien dans les chocs essayés</translation>
     </message>
     <message>
         <source>e is squared in the hit of two circles</source>

@@ -168,7 +168,7 @@ private:
         };
         const std::vector<Law> laws{
             {[](double) { return 1.0; },
-             ReboundText::tr("e is not used in the hit of two circles")},
+             ReboundText::tr("e changes nothing in the hits that were tried")},
             {[](double e) { return e * e; },
              ReboundText::tr("e is squared in the hit of two circles")},
             {[](double e) { return std::sqrt(e); },
