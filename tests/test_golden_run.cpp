@@ -23,7 +23,8 @@ Preset goldenPreset(Timing timing)
         const Vec2 position{-3.0 + 2.0 * (i % 4), -1.0 + 2.0 * (i / 4)};
         const Vec2 velocity{1.5 - 0.75 * (i % 5), -1.0 + 0.5 * (i % 7)};
         preset.circles.push_back(circle(position, velocity, 0.2 + 0.05 * (i % 3),
-                                        allIntegrators[i % 4], 1.0 + 0.5 * (i % 6)));
+                                        allIntegrators[static_cast<std::size_t>(i % 4)],
+                                        1.0 + 0.5 * (i % 6)));
     }
     return preset;
 }
