@@ -2464,6 +2464,14 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩. احسب الكتلتين من ⁦`radius`⁩ و⁦`density`⁩، اللتين تغيّرهما مشاهد أخرى.</translation>
     </message>
     <message>
+        <source>Here two circles of the same mass meet. </source>
+        <translation>هنا تلتقي دائرتان متساويتا الكتلة. </translation>
+    </message>
+    <message>
+        <source>Here two circles of the same mass meet, with e = %1. </source>
+        <translation>هنا تلتقي دائرتان متساويتا الكتلة، مع ⁨e = %1⁩. </translation>
+    </message>
+    <message>
         <source>Both velocities change equally much, whatever the masses are</source>
         <translation>تتغيّر السرعتان بالمقدار نفسه مهما كانت الكتلتان</translation>
     </message>

@@ -2320,6 +2320,14 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1. Rechne die Massen aus `radius` und `density` aus, die sich in anderen Szenen ändern.</translation>
     </message>
     <message>
+        <source>Here two circles of the same mass meet. </source>
+        <translation>Hier treffen sich zwei Kreise gleicher Masse. </translation>
+    </message>
+    <message>
+        <source>Here two circles of the same mass meet, with e = %1. </source>
+        <translation>Hier treffen sich zwei Kreise gleicher Masse, mit e = %1. </translation>
+    </message>
+    <message>
         <source>Both velocities change equally much, whatever the masses are</source>
         <translation>Beide Geschwindigkeiten ändern sich gleich stark, wie groß die Massen auch sind</translation>
     </message>

@@ -2440,6 +2440,14 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1. Calculez les masses à partir de `radius` et `density`, que d&apos;autres scènes changent.</translation>
     </message>
     <message>
+        <source>Here two circles of the same mass meet. </source>
+        <translation>Ici, deux cercles de même masse se rencontrent. </translation>
+    </message>
+    <message>
+        <source>Here two circles of the same mass meet, with e = %1. </source>
+        <translation>Ici, deux cercles de même masse se rencontrent, avec e = %1. </translation>
+    </message>
+    <message>
         <source>Both velocities change equally much, whatever the masses are</source>
         <translation>Les deux vitesses changent autant l&apos;une que l&apos;autre, quelles que soient les masses</translation>
     </message>

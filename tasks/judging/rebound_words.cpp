@@ -37,7 +37,9 @@ public:
         if (m_all.empty() || m_elastic.empty()
             || std::none_of(m_own.rebounds.begin(), m_own.rebounds.end(), answered))
             return {};
-        m_shown = mostWrong();
+        m_shown = mostWrong([](const PairHit &own, const PairHit &right) {
+            return length(own.left1 - right.left1) + length(own.left2 - right.left2);
+        });
         const auto one = [](double) { return 1.0; };
         m_isElastic =
             every(m_elastic, &Rebound::first, one) && every(m_elastic, &Rebound::second, one);
@@ -48,15 +50,16 @@ public:
     }
 
 private:
-    /// The hit that differs most from the right one.
-    [[nodiscard]] std::size_t mostWrong() const
+    /// The hit that differs most from the right one, by \p difference.
+    template <class Difference>
+    [[nodiscard]] std::size_t mostWrong(Difference difference) const
     {
         std::size_t worst = 0;
         double most = -1.0;
         for (std::size_t i = 0; i < m_own.rebounds.size(); ++i) {
             const PairHit &own = m_own.rebounds[i];
             const PairHit &right = m_right.rebounds[i];
-            const double off = length(own.left1 - right.left1) + length(own.left2 - right.left2);
+            const double off = difference(own, right);
             if (own.isMet() && off > most) {
                 most = off;
                 worst = i;
@@ -126,6 +129,12 @@ private:
         const auto one = [](double) { return 1.0; };
         if (isLaw(same, same))
             return;
+        // A fault across must not choose a hit at which the parts along come out right.
+        m_shown = mostWrong([](const PairHit &own, const PairHit &right) {
+            const PairVelocities a = own.leftParts();
+            const PairVelocities b = right.leftParts();
+            return std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2);
+        });
         if (isLaw(same, one))
             return add(ReboundText::tr("Only circle 1 feels e"));
         if (isLaw(one, same))

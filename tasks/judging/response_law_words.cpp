@@ -34,6 +34,17 @@ private:
         m_reading.said = responseDeviation(headline, body, hit);
     }
 
+    /// The numbers of a hit, and of what circles it is.
+    [[nodiscard]] QString describeEquals(const PairHit &hit, const PairHit &right) const
+    {
+        const QString what = m_own.rebounds.empty()
+                                 ? ResponseText::tr("Here two circles of the same mass meet. ")
+                                 : ResponseText::tr("Here two circles of the same mass meet, with "
+                                                    "e = %1. ")
+                                       .arg(brief(hit.meeting.restitution));
+        return what + describeHit(hit, right);
+    }
+
     /// Whether hits of other masses and with other e follow it, too.
     [[nodiscard]] bool holdsEverywhere(const ResponseLaw &law) const
     {
@@ -75,13 +86,14 @@ private:
         if (std::all_of(hits.begin(), hits.end(), [](const EqualHit &h) {
                 return isSameAnswer(h.right, PairVelocities{});
             })) {
-            add(ResponseText::tr("A hit does not stop both circles"), describeHit(hit, right), hit);
+            add(ResponseText::tr("A hit does not stop both circles"), describeEquals(hit, right),
+                hit);
             return;
         }
         for (const ResponseLaw &law : knownResponses()) {
             if (!follows(law, hits) || (law.isForEvery && !holdsEverywhere(law)))
                 continue;
-            add(law.headline, describeHit(hit, right) + QLatin1Char(' ') + law.body, hit);
+            add(law.headline, describeEquals(hit, right) + QLatin1Char(' ') + law.body, hit);
             m_reading.law = law;
             return;
         }
@@ -109,24 +121,24 @@ private:
         const auto ratio = fixedMassRatio(m_own);
         if (along)
             add(ResponseText::tr("The parts across the line of centres are changed"),
-                describeHit(hit, right) + QLatin1Char(' ')
+                describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("A smooth circle pushes along the line of centres only."),
                 hit);
         else if (ratio)
             return; // massDeviations() says so
         else if (!momentum)
             add(ResponseText::tr("The pushes on the two circles are not equal and opposite"),
-                describeHit(hit, right) + QLatin1Char(' ')
+                describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("What one circle of the same mass gains, the other loses: "
                                        "else the total momentum changes."),
                 hit);
         else if (!across)
             add(ResponseText::tr("The push does not act along the line of centres alone"),
-                describeHit(hit, right) + QLatin1Char(' ')
+                describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("The parts across it must stay as they were."),
                 hit);
         else
-            add(sizeHeadline(hits), describeHit(hit, right), hit);
+            add(sizeHeadline(hits), describeEquals(hit, right), hit);
         m_reading.said->message += otherLine(hits, hit);
         m_reading.said->moment.circles = wrongIn(hits);
         if (!along && momentum && !across)
