@@ -2180,16 +2180,16 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>تبدأ بسرعة ⁦%1 m/s⁩، وسرعتها بعد خطوة واحدة ⁦%2 m/s⁩؛ ولا شيء قريب يمكن أن تصدمه. انظر إلى القيم التي يأخذها السطر: أهي قيم هذه الخطوة أم أقدم؟</translation>
     </message>
     <message>
-        <source>%1 is asked for.</source>
-        <translation>المطلوب ⁨%1⁩.</translation>
+        <source>%1 g Δt² is asked for.</source>
+        <translation>المطلوب ⁦%1 g Δt²⁩.</translation>
     </message>
     <message>
         <source>One of these is asked for.</source>
         <translation>المطلوب واحدة من هذه.</translation>
     </message>
     <message>
-        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ يزيد التقدم في الخطوة بمقدار ⁦%2 a Δt²⁩ على ⁦v&#xa0;Δt⁩. أويلر تحرّك بالسرعة القديمة، 0؛ وأويلر التماثلية بالجديدة، 1؛ والطرائق الدقيقة بـ ½.</translation>
+        <source>From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its first step. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
+        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ تتحرك الدائرة في خطوتها الأولى بمقدار ⁦%2 g Δt²⁩. أويلر تحرّكها بالسرعة القديمة، بمقدار ⁦0 g Δt²⁩؛ وأويلر التماثلية بالجديدة، بمقدار ⁦1 g Δt²⁩؛ والطرائق الدقيقة بمقدار ⁦½ g Δt²⁩.</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>

@@ -2260,16 +2260,16 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who ist das, was auf die Geschwindigkeit wirkt, %1-mal so stark, wie es sein soll</translation>
     </message>
     <message>
-        <source>%1 is asked for.</source>
-        <translation>Verlangt ist %1.</translation>
+        <source>%1 g Δt² is asked for.</source>
+        <translation>Verlangt ist %1 g Δt².</translation>
     </message>
     <message>
         <source>One of these is asked for.</source>
         <translation>Verlangt ist eines davon.</translation>
     </message>
     <message>
-        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation>Aus der Ruhe kommt der Kreis unter der Schwerkraft %1 m/s² in einem Schritt außer um v Δt noch um %2 a Δt² weiter. Euler bewegt mit der alten Geschwindigkeit, 0; der symplektische Euler mit der neuen, 1; die genauen Verfahren mit ½.</translation>
+        <source>From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its first step. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
+        <translation>Aus der Ruhe kommt ein Kreis unter der Schwerkraft %1 m/s² in seinem ersten Schritt um %2 g Δt² weit. Euler bewegt ihn mit der alten Geschwindigkeit, um 0 g Δt²; der symplektische Euler mit der neuen, um 1 g Δt²; die genauen Verfahren um ½ g Δt².</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>

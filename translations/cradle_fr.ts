@@ -2156,16 +2156,16 @@ Au contact, il a été mis à %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Au départ elle vaut %1 m/s, et un pas plus tard %2 m/s&#xa0;; rien à heurter n&apos;est proche. Regardez les valeurs que prend la ligne&#xa0;: sont-elles celles de ce pas, ou plus anciennes&#xa0;?</translation>
     </message>
     <message>
-        <source>%1 is asked for.</source>
-        <translation>Demandé&#xa0;: %1.</translation>
+        <source>%1 g Δt² is asked for.</source>
+        <translation>On demande %1 g Δt².</translation>
     </message>
     <message>
         <source>One of these is asked for.</source>
         <translation>L&apos;un de ceux-ci est demandé.</translation>
     </message>
     <message>
-        <source>From rest under gravity %1 m/s² it goes on by %2 a Δt² in a step besides v Δt. Euler moves with the old velocity, 0; symplectic Euler with the new one, 1; the exact methods with ½.</source>
-        <translation>Depuis le repos sous la pesanteur %1 m/s², un pas avance de %2 a Δt² en plus de v Δt. Euler avance avec l&apos;ancienne vitesse&#xa0;: 0&#xa0;; Euler symplectique avec la nouvelle&#xa0;: 1&#xa0;; les méthodes exactes avec ½.</translation>
+        <source>From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its first step. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
+        <translation>Depuis le repos sous la pesanteur %1 m/s², un cercle avance de %2 g Δt² à son premier pas. Euler le déplace avec l&apos;ancienne vitesse, de 0 g Δt²&#xa0;; Euler symplectique avec la nouvelle, de 1 g Δt²&#xa0;; les méthodes exactes de ½ g Δt².</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>

@@ -26,14 +26,15 @@ public:
                 || (!isFallRight && !isOtherMethod(g, *share)))
                 return std::nullopt;
             const QString asked =
-                shares.size() == 1 ? FlightText::tr("%1 is asked for.").arg(brief(shares.front()))
-                                   : FlightText::tr("One of these is asked for.");
+                shares.size() == 1
+                    ? FlightText::tr("%1 g Δt² is asked for.").arg(brief(shares.front()))
+                    : FlightText::tr("One of these is asked for.");
             return FlightSaid{
                 headlineOf(*share, shares),
-                FlightText::tr("From rest under gravity %1 m/s² it goes on by %2 a Δt² in "
-                               "a step besides v Δt. Euler moves with the old velocity, 0; "
-                               "symplectic Euler with the new one, 1; the exact methods "
-                               "with ½.")
+                FlightText::tr("From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its "
+                               "first step. Euler moves it with the old velocity, by 0 g Δt²; "
+                               "symplectic Euler with the new one, by 1 g Δt²; the exact methods "
+                               "by ½ g Δt².")
                         .arg(brief(g), brief(*share))
                     + QLatin1Char(' ') + asked,
                 moment(true, g), true};
