@@ -29,7 +29,7 @@ public:
             if (wrongWalls(circle).empty())
                 continue;
             const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
-                return h.circle == circle && (h.turned || h.held) && !h.fits(h.radius);
+                return h.circle == circle && isElsewhere(h);
             });
             if (!m_right.hits[static_cast<std::size_t>(at - m_own.hits.begin())].fits(at->radius))
                 continue; // the reference does not turn at the rim either
@@ -78,13 +78,20 @@ private:
         QString body;
     };
 
+    /// Whether a wall answers a circle elsewhere than at its rim. One that is put far off and keeps
+    /// its velocity has not been turned.
+    [[nodiscard]] static bool isElsewhere(const WallHit &hit)
+    {
+        return (hit.turned || (hit.held && !hit.isLeap())) && !hit.fits(hit.radius);
+    }
+
     /// How many hits of these circles do not come where their rims are.
     [[nodiscard]] int shownBy(const std::vector<int> &circles) const
     {
         return static_cast<int>(
             std::count_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
                 return std::find(circles.begin(), circles.end(), hit.circle) != circles.end()
-                       && (hit.turned || hit.held) && !hit.fits(hit.radius);
+                       && isElsewhere(hit);
             }));
     }
 
@@ -93,7 +100,7 @@ private:
     {
         std::set<Wall> walls;
         for (const WallHit &hit : m_own.hits) {
-            if (hit.circle == circle && (hit.turned || hit.held) && !hit.fits(hit.radius))
+            if (hit.circle == circle && isElsewhere(hit))
                 walls.insert(hit.wall);
         }
         return walls;
