@@ -838,7 +838,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m</source>
-        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; das Verfahren %4 bewegt ihn um %5 m</translation>
+        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; nach %4 sind es %5 m</translation>
     </message>
     <message>
         <source>. This is what %1 does</source>
@@ -1030,7 +1030,7 @@
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
-        <translation>In Schritt %1 war die Geschwindigkeit von Kreis %2 in Richtung %3 vor dem Schritt %4 m/s und danach %5 m/s; mit e = %6 und der Schwerkraft sind %7 bis %8 m/s richtig</translation>
+        <translation>In Schritt %1 war die Geschwindigkeit von Kreis %2 zu %3 hin vor dem Schritt %4 m/s und danach %5 m/s; mit e = %6 und der Schwerkraft sind %7 bis %8 m/s richtig</translation>
     </message>
     <message>
         <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
@@ -2081,7 +2081,7 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     </message>
     <message>
         <source>A fixed number stands for the timestep in the way of %who</source>
-        <translation>Für %who steht im Weg eine feste Zahl statt des Zeitschritts</translation>
+        <translation>Für %who hängt der zurückgelegte Weg von einer festen Zahl ab statt vom Zeitschritt</translation>
     </message>
     <message>
         <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
@@ -3081,7 +3081,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
-        <translation>Kreis %5 kam mit %2 m/s hierher: %1, und ging mit %3 m/s; richtig ist %4 m/s.</translation>
+        <translation>Kreis %5 kam mit %2 m/s an %1 an und ging mit %3 m/s; richtig ist %4 m/s.</translation>
     </message>
     <message>
         <source>The walls give %who %1 e of the speed back, not e</source>
@@ -3093,7 +3093,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>Not every wall holds %who: %1</source>
-        <translation>Wände halten %who nicht auf, und zwar an %1</translation>
+        <translation>Nichts hält %who an %1 auf</translation>
     </message>
     <message>
         <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
@@ -3113,7 +3113,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>In your own scene the first step changes the velocity of %who</source>
-        <translation>In deiner eigenen Szene ändert der erste Schritt die Geschwindigkeit von %who</translation>
+        <translation>In deiner eigenen Szene ändert der erste Schritt die Geschwindigkeit für %who</translation>
     </message>
     <message>
         <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
@@ -3121,11 +3121,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The x of the velocity of %who is set anew in every step</source>
-        <translation>Das x der Geschwindigkeit von %who wird in jedem Schritt neu gesetzt</translation>
+        <translation>Das x der Geschwindigkeit wird für %who in jedem Schritt neu gesetzt</translation>
     </message>
     <message>
         <source>The y of the velocity of %who is set anew in every step</source>
-        <translation>Das y der Geschwindigkeit von %who wird in jedem Schritt neu gesetzt</translation>
+        <translation>Das y der Geschwindigkeit wird für %who in jedem Schritt neu gesetzt</translation>
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
@@ -3133,7 +3133,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The old place of %who is multiplied, too</source>
-        <translation>Auch der alte Ort von %who wird multipliziert</translation>
+        <translation>Auch der alte Ort wird für %who multipliziert</translation>
     </message>
     <message>
         <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
@@ -3169,7 +3169,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Something away from every wall changes the velocity of %who</source>
-        <translation>Etwas ändert fern von jeder Wand die Geschwindigkeit von %who</translation>
+        <translation>Etwas ändert fern von jeder Wand die Geschwindigkeit für %who</translation>
     </message>
     <message>
         <source>A hit puts %who further out (%1)</source>
@@ -3278,7 +3278,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The step of %who depends on how long the run has lasted</source>
-        <translation>Der Zeitschritt von %who hängt davon ab, wie lange der Lauf schon dauert</translation>
+        <translation>Der Zeitschritt für %who hängt davon ab, wie lange der Lauf schon dauert</translation>
     </message>
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
@@ -3286,7 +3286,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Between hits the velocity of %who changes</source>
-        <translation>Zwischen Stößen ändert sich die Geschwindigkeit von %who</translation>
+        <translation>Zwischen Stößen ändert sich für %who die Geschwindigkeit</translation>
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
@@ -3350,7 +3350,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The velocity of %who is taken away at once, far from everything</source>
-        <translation>Die Geschwindigkeit von %who wird sofort weggenommen, fern von allem</translation>
+        <translation>Die Geschwindigkeit wird für %who sofort weggenommen, fern von allem</translation>
     </message>
     <message>
         <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
@@ -7906,7 +7906,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Students will not find what cannot be read:</source>
-        <translation>Was sich nicht lesen lässt, finden Lernende nicht vor:</translation>
+        <translation>Was sich nicht lesen lässt, finden Studierende nicht vor:</translation>
     </message>
     <message>
         <source>Export anyway</source>
@@ -7919,8 +7919,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <message numerus="yes">
         <source>Exported without %n file(s) that are yours: %1</source>
         <translation>
-            <numerusform>Ohne %n Datei exportiert, die nur für Sie ist: %1</numerusform>
-            <numerusform>Ohne %n Dateien exportiert, die nur für Sie sind: %1</numerusform>
+            <numerusform>Ohne %n Datei exportiert, die nur für dich ist: %1</numerusform>
+            <numerusform>Ohne %n Dateien exportiert, die nur für dich sind: %1</numerusform>
         </translation>
     </message>
     <message>
