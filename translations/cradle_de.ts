@@ -3302,7 +3302,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The walls do not give %who e times the speed back</source>
-        <translation>Die Wände geben %who nicht das e-fache des Tempos zurück</translation>
+        <translation>Von den Wänden kommt für %who nicht das e-fache des Tempos zurück</translation>
     </message>
     <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
