@@ -19,7 +19,7 @@ PairRange::PairRange(const QString *program, const Ground &ground, const Measure
     : m_program(program)
     , m_ground(ground)
     , m_flight(flight)
-    , m_h(ground.timesteps.empty() ? 1.0 / 60.0 : ground.timesteps.front())
+    , m_h(ground.stage().timestep)
 {
 }
 

@@ -22,7 +22,6 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
 {
     pair.ownContacts = 0;
     Preset preset = m_ground.stage();
-    preset.timestep = m_h;
     preset.circles[0].body.position = {place - 0.56, 0.41};
     preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
     preset.circles[1].body.position = {place, 0.41};
@@ -60,7 +59,6 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
     // What circle 1 has across the first line brings it to one side until the second.
     const Vec2 v{speed, 0.5 * touching / (toWall + back)};
     Preset preset = m_ground.stage();
-    preset.timestep = m_h;
     preset.restitution = e;
     Circle &a = preset.circles[0].body;
     Circle &b = preset.circles[1].body;
