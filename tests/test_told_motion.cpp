@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_words.h"
+
+#include "tests/told_numbers.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::told;
+
+/// The numbers that findings on the motion of a program tell are those that its law makes.
+class TestToldMotion : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void wayOfAStepIsTold_data();
+    void wayOfAStepIsTold();
+    void crossedWayIsTold_data();
+    void crossedWayIsTold();
+    void fallOfAStepIsTold_data();
+    void fallOfAStepIsTold();
+    void fallThatHangsOnTheCircleIsTold_data();
+    void fallThatHangsOnTheCircleIsTold();
+    void gravityOnThePlaceIsTold();
+    void aNumberForGravityIsTold();
+    void anOldCopyOfGravityIsTold();
+    void forceByVelocityOrPlaceIsTold_data();
+    void forceByVelocityOrPlaceIsTold();
+    void aSpeedThatIsCutIsTold();
+    void aConditionOnTheVelocityIsTold();
+    void methodIsTold_data();
+    void methodIsTold();
+    void methodsOfTwoAreTold();
+
+private:
+    /// What is said in \p step of a program that adds \p place to the place and \p velocity to the
+    /// velocity, below \p headline.
+    [[nodiscard]] QString body(const char *step, const QString &place, const QString &velocity,
+                               const char *headline = "") const
+    {
+        return bodyOfProgram(step,
+                             written({.move = QStringLiteral("c.position = c.position + %1 "
+                                                             "c.velocity = c.velocity + %2")
+                                                  .arg(place, velocity)},
+                                     structures[0]),
+                             headline);
+    }
+    [[nodiscard]] QString bodyOfProgram(const char *step, const QString &program,
+                                        const char *headline = "") const
+    {
+        const LawBench bench(task(QLatin1String(step)));
+        const MeasuredLaws own(&program, bench.ground);
+        return bodyOf(flightDeviations(own.flight(), bench.right.flight(), bench.ground),
+                      QString::fromUtf8(headline));
+    }
+
+    const QString way = QStringLiteral("c.velocity * h");
+    const QString fall = QStringLiteral("gravity * h");
+};
+
+void TestToldMotion::wayOfAStepIsTold_data()
+{
+    QTest::addColumn<QString>("place");
+    QTest::addColumn<Vec2>("factors"); // the way is these times v h^power
+    QTest::addColumn<double>("power");
+    QTest::newRow("without time") << "c.velocity" << Vec2{1, 1} << 0.0;
+    QTest::newRow("time twice") << "c.velocity * h * h" << Vec2{1, 1} << 2.0;
+    QTest::newRow("a sixtieth") << "c.velocity / 60" << Vec2{1.0 / 60, 1.0 / 60} << 0.0;
+    QTest::newRow("back") << "-c.velocity * h" << Vec2{-1, -1} << 1.0;
+    QTest::newRow("twice") << "2 * c.velocity * h" << Vec2{2, 2} << 1.0;
+    QTest::newRow("0.7 times") << "0.7 * c.velocity * h" << Vec2{0.7, 0.7} << 1.0;
+    QTest::newRow("x only") << "vec(c.velocity.x, 0) * h" << Vec2{1, 0} << 1.0;
+    QTest::newRow("y only") << "vec(0, c.velocity.y) * h" << Vec2{0, 1} << 1.0;
+    QTest::newRow("y twice") << "vec(c.velocity.x, 2 * c.velocity.y) * h" << Vec2{1, 2} << 1.0;
+    QTest::newRow("none") << "vec(0, 0)" << Vec2{0, 0} << 1.0;
+}
+
+/// With a timestep with which it is not the right one by chance.
+void TestToldMotion::wayOfAStepIsTold()
+{
+    QFETCH(QString, place);
+    QFETCH(Vec2, factors);
+    QFETCH(double, power);
+    const auto n = numbersIn(body("L42T4", place, fall),
+                             "With the velocity (#, #) m/s and Δt = 1/# s it goes (#, #) m in a "
+                             "step; v Δt is (#, #) m.");
+    QCOMPARE(n.size(), std::size_t{7});
+    const double h = 1.0 / n[2];
+    const double times = std::pow(h, power);
+    QVERIFY(n[0] != 0.0 && n[1] != 0.0);
+    QVERIFY(isNear(Vec2{n[3], n[4]}, times * Vec2{factors.x * n[0], factors.y * n[1]}));
+    QVERIFY(isNear(Vec2{n[5], n[6]}, h * Vec2{n[0], n[1]}));
+    QVERIFY(!isNear(Vec2{n[3], n[4]}, Vec2{n[5], n[6]}));
+}
+
+void TestToldMotion::crossedWayIsTold_data()
+{
+    QTest::addColumn<QString>("velocity");
+    QTest::addColumn<QString>("headline");
+    QTest::newRow("x for both") << "vec(c.velocity.x, c.velocity.x)"
+                                << "The x part of the velocity moves both circles in y";
+    QTest::newRow("y for both") << "vec(c.velocity.y, c.velocity.y)"
+                                << "The y part of the velocity moves both circles in x";
+    QTest::newRow("exchanged") << "vec(c.velocity.y, c.velocity.x)"
+                               << "x and y of the velocity are exchanged where both circles moves";
+    QTest::newRow("its size") << "vec(c.velocity:length(), 0)"
+                              << "The way of both circles in a step is not v Δt";
+}
+
+void TestToldMotion::crossedWayIsTold()
+{
+    QFETCH(QString, velocity);
+    QFETCH(QString, headline);
+    const auto n = numbersIn(
+        body("L42T4", velocity + QStringLiteral(" * h"), fall, headline.toUtf8().constData()),
+        "With the velocity (#, #) m/s and Δt = 1/# s it goes (#, #) m in a step, with (#, #) m/s "
+        "(#, #) m; v Δt is (#, #) and (#, #) m.");
+    QCOMPARE(n.size(), std::size_t{13});
+    const double h = 1.0 / n[2];
+    const auto moved = [&](double x, double y) {
+        const Vec2 crossed =
+            velocity.contains(QLatin1String("length")) ? Vec2{std::hypot(x, y), 0}
+            : velocity == QLatin1String("vec(c.velocity.x, c.velocity.x)") ? Vec2{x, x}
+            : velocity == QLatin1String("vec(c.velocity.y, c.velocity.y)") ? Vec2{y, y}
+                                                                           : Vec2{y, x};
+        return h * crossed;
+    };
+    QVERIFY(isNear(Vec2{n[3], n[4]}, moved(n[0], n[1])));
+    QVERIFY(isNear(Vec2{n[7], n[8]}, moved(n[5], n[6])));
+    QVERIFY(isNear(Vec2{n[9], n[10]}, h * Vec2{n[0], n[1]}));
+    QVERIFY(isNear(Vec2{n[11], n[12]}, h * Vec2{n[5], n[6]}));
+    QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[5], n[6]}));
+}
+
+void TestToldMotion::fallOfAStepIsTold_data()
+{
+    QTest::addColumn<QString>("velocity");
+    QTest::addColumn<Vec2>("change"); // of the velocity, of g h^power
+    QTest::addColumn<double>("power");
+    QTest::newRow("without time") << "gravity" << Vec2{0, -1} << 0.0;
+    QTest::newRow("time twice") << "gravity * h * h" << Vec2{0, -1} << 2.0;
+    QTest::newRow("a sixtieth") << "gravity / 60" << Vec2{0, -1.0 / 60} << 0.0;
+    QTest::newRow("half") << "gravity * h / 2" << Vec2{0, -0.5} << 1.0;
+    QTest::newRow("upward") << "-1 * gravity * h" << Vec2{0, 1} << 1.0;
+    QTest::newRow("three times") << "3 * gravity * h" << Vec2{0, -3} << 1.0;
+    QTest::newRow("sideways") << "vec(gravity.y, 0) * h" << Vec2{-1, 0} << 1.0;
+    QTest::newRow("none") << "vec(0, 0)" << Vec2{0, 0} << 1.0;
+}
+
+void TestToldMotion::fallOfAStepIsTold()
+{
+    QFETCH(QString, velocity);
+    QFETCH(Vec2, change);
+    QFETCH(double, power);
+    const auto n = numbersIn(body("L42T4", way, velocity),
+                             "Under gravity (#, #) m/s² the velocity changes by (#, #) m/s in a "
+                             "step of 1/# s; it should change by (#, #) m/s.");
+    QCOMPARE(n.size(), std::size_t{7});
+    const double h = 1.0 / n[4];
+    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
+    QVERIFY(isNear(Vec2{n[2], n[3]}, 9.81 * std::pow(h, power) * change));
+    QVERIFY(isNear(Vec2{n[5], n[6]}, h * Vec2{0.0, -9.81}));
+    QVERIFY(!isNear(Vec2{n[2], n[3]}, Vec2{n[5], n[6]}));
+}
+
+void TestToldMotion::fallThatHangsOnTheCircleIsTold_data()
+{
+    QTest::addColumn<QString>("factor");
+    QTest::addColumn<double>(
+        "times"); // where the radius is 1.25 and the density 1.5 times as large
+    QTest::newRow("radius") << "c.radius / 0.2" << 1.25;
+    QTest::newRow("density") << "c.density / 7.8" << 1.5;
+    QTest::newRow("mass") << "c.density * c.radius ^ 3 / 0.0624" << 1.5 * std::pow(1.25, 3);
+}
+
+void TestToldMotion::fallThatHangsOnTheCircleIsTold()
+{
+    QFETCH(QString, factor);
+    QFETCH(double, times);
+    const auto n = numbersIn(
+        body("L42T4", way, QStringLiteral("gravity * h * 0.5 * ") + factor),
+        "Under gravity (#, #) m/s² it is accelerated by (#, #) m/s², and by (#, #) m/s² when its "
+        "radius is 1.25 times and its density 1.5 times as large.");
+    QCOMPARE(n.size(), std::size_t{6});
+    QVERIFY(n[0] == 0.0 && n[1] == -9.81 && n[2] == 0.0 && n[4] == 0.0);
+    QVERIFY(isNear(n[3], 0.5 * -9.81));
+    QVERIFY(isNear(n[5], 0.5 * -9.81 * times));
+}
+
+void TestToldMotion::gravityOnThePlaceIsTold()
+{
+    const auto n = numbersIn(body("L42T4", QStringLiteral("c.velocity * h + 0.25 * gravity * h"),
+                                  QStringLiteral("vec(0, 0)")),
+                             "Under gravity (#, #) m/s² a circle at rest is (#, #) m away after a "
+                             "step of 1/# s, and its velocity is still 0.");
+    QCOMPARE(n.size(), std::size_t{5});
+    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
+    QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.0, 0.25 * -9.81 / n[4]}));
+}
+
+void TestToldMotion::aNumberForGravityIsTold()
+{
+    const auto n = numbersIn(body("L42T17", way, QStringLiteral("vec(0.5, -3) * h")),
+                             "In a scene with gravity (#, #) m/s² it is accelerated by (#, #) "
+                             "m/s², as in every other.");
+    QCOMPARE(n.size(), std::size_t{4});
+    QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.5, -3.0}));
+    QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[2], n[3]}));
+}
+
+void TestToldMotion::anOldCopyOfGravityIsTold()
+{
+    const LawProgram old{.start = QStringLiteral("pull = gravity gravity = vec(0, -9.81)"),
+                         .move = QStringLiteral("c.velocity = c.velocity + pull * h "
+                                                "c.position = c.position + c.velocity * h")};
+    const auto n = numbersIn(bodyOfProgram("L42T17", written(old, structures[3])),
+                             "In your own scene gravity is (#, #) m/s², and the velocity changes "
+                             "by (#, #) m/s in a second.");
+    QCOMPARE(n.size(), std::size_t{4});
+    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
+    QVERIFY(isNear(Vec2{n[2], n[3]}, task(QStringLiteral("L42T17")).preset.gravity));
+}
+
+void TestToldMotion::forceByVelocityOrPlaceIsTold_data()
+{
+    QTest::addColumn<QString>("force");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<QString>("told");
+    const auto row = [](const char *force, const char *headline, const char *told) {
+        QTest::newRow(force) << QString::fromUtf8(force) << QString::fromUtf8(headline)
+                             << QString::fromUtf8(told);
+    };
+    const char *slower = "Something slows both circles down on the way";
+    row("-0.2 * c.velocity", slower,
+        "For every m/s of velocity the acceleration is -0.2 m/s²; 0 is right.");
+    row("0.3 * c.velocity", "Something makes both circles faster on the way",
+        "For every m/s of velocity the acceleration is 0.3 m/s²; 0 is right.");
+    row("-vec(0, 0.4 * c.velocity.y)", slower,
+        "For every m/s of velocity the acceleration is -0.4 m/s²; 0 is right.");
+    row("-vec(0.3 * c.position.x, 0.7 * c.position.y)",
+        "The place of both circles acts on its velocity otherwise than asked",
+        "For every metre further out the acceleration changes by (-0.3, -0.7) m/s²; (0, 0) is "
+        "right.");
+}
+
+void TestToldMotion::forceByVelocityOrPlaceIsTold()
+{
+    QFETCH(QString, force);
+    QFETCH(QString, headline);
+    QFETCH(QString, told);
+    const LawProgram program{.move = QStringLiteral("local a = gravity + %1 "
+                                                    "c.position = c.position + c.velocity * h "
+                                                    "c.velocity = c.velocity + a * h")
+                                         .arg(force)};
+    QCOMPARE(bodyOfProgram("L42T4", written(program, structures[0]), headline.toUtf8().constData()),
+             told);
+}
+
+/// At most 1 m/s, and then gravity: what is left without that has the direction of the throw.
+void TestToldMotion::aSpeedThatIsCutIsTold()
+{
+    const auto n = numbersIn(
+        body("L42T4", way,
+             QStringLiteral("gravity * h - c.velocity * (1 - math.min(1, 1 / "
+                            "c.velocity:length()))")),
+        "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/# s later, although it touches "
+        "nothing; gravity gives it (#, #) m/s in a step.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(isNear(Vec2{n[5], n[6]}, Vec2{0.0, -9.81 / n[4]}));
+    const Vec2 thrown{n[0], n[1]};
+    QVERIFY(length(thrown) > 1.0);
+    QVERIFY(length(Vec2{n[2], n[3]} - Vec2{n[5], n[6]} - normalized(thrown)) < 0.01);
+}
+
+/// Who moves to the left is not pulled.
+void TestToldMotion::aConditionOnTheVelocityIsTold()
+{
+    const auto n = numbersIn(
+        body("L42T4", way, QStringLiteral("(c.velocity.x > 0.6 and gravity * h or vec(0, 0))")),
+        "Under gravity (#, #) m/s² and with the velocity (#, #) m/s it changes by (#, #) m/s in a "
+        "step of 1/# s, with (#, #) m/s by (#, #) m/s; (#, #) and (#, #) m/s are right.");
+    QCOMPARE(n.size(), std::size_t{15});
+    const Vec2 right{0.0, -9.81 / n[6]};
+    QVERIFY(isNear(Vec2{n[4], n[5]}, n[2] > 0.6 ? right : Vec2{}));
+    QVERIFY(isNear(Vec2{n[9], n[10]}, n[7] > 0.6 ? right : Vec2{}));
+    QVERIFY(isNear(Vec2{n[11], n[12]}, right) && isNear(Vec2{n[13], n[14]}, right));
+    QVERIFY((n[2] > 0.6) != (n[7] > 0.6));
+}
+
+void TestToldMotion::methodIsTold_data()
+{
+    QTest::addColumn<double>("share"); // of g h² in the way of the first step
+    QTest::newRow("half") << 0.5;
+    QTest::newRow("whole") << 1.0;
+    QTest::newRow("a third of it") << 0.3;
+    QTest::newRow("upward") << -0.4;
+}
+
+void TestToldMotion::methodIsTold()
+{
+    QFETCH(double, share);
+    const auto n = numbersIn(
+        body("L42T4", QStringLiteral("c.velocity * h + %1 * gravity * h * h").arg(share), fall),
+        "From rest under gravity (#, #) m/s² a circle moves by # g Δt² in its first "
+        "step.");
+    QCOMPARE(n.size(), std::size_t{3});
+    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
+    QVERIFY(isNear(n[2], share));
+}
+
+/// Each by another, where both need the same.
+void TestToldMotion::methodsOfTwoAreTold()
+{
+    int told = 0;
+    for (const Task &each : m_lab.tasks) {
+        const LawBench bench(each);
+        if (!bench.ground.sameIntegrator || bench.ground.flights.size() != 2
+            || bench.ground.flights[0].shares != bench.ground.flights[1].shares
+            || bench.ground.flights[0].shares.size() < 2)
+            continue;
+        const QString program =
+            written({.move = QStringLiteral("c.position = c.position + c.velocity * h + "
+                                            "(c.index == 1 and 0 or 1) * gravity * h * h "
+                                            "c.velocity = c.velocity + gravity * h")},
+                    structures[1]);
+        const MeasuredLaws own(&program, bench.ground);
+        const QString said =
+            bodyOf(flightDeviations(own.flight(), bench.right.flight(), bench.ground),
+                   QStringLiteral("The circles move by different methods"));
+        QVERIFY2(said.contains(QString::fromUtf8("circle 1 goes on by 0 a Δt² in a step besides "
+                                                 "v Δt, and circle 2 by 1 a Δt²")),
+                 qPrintable(each.id + said));
+        ++told;
+    }
+    QVERIFY(told > 0);
+}
+
+QTEST_GUILESS_MAIN(TestToldMotion)
+#include "test_told_motion.moc"
