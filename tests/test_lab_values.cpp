@@ -23,6 +23,7 @@ class TestLabValues : public QObject
 private slots:
     void valuesAreMadeOfOneAnother();
     void faultsAreNamedWithTheirPlace();
+    void faultsOfALabAreToldOnce();
     void textsProgramsAndScenesHaveThem();
     void unitsOfASceneAreChecked();
     void labWithoutValuesIsAsItIs();
@@ -55,6 +56,23 @@ void TestLabValues::faultsAreNamedWithTheirPlace()
         places.insert(fault.pointer);
     QCOMPARE(places, (QSet<QString>{QStringLiteral("/values/a"), QStringLiteral("/values/b"),
                                     QStringLiteral("/values/pi")}));
+}
+
+/// Though every step has them, beside its own.
+void TestLabValues::faultsOfALabAreToldOnce()
+{
+    LabFiles files = labWith(values({{QStringLiteral("pi"), 3.0}}));
+    edit(files, "S1/task.json", [](QJsonObject &task) {
+        task.insert(QStringLiteral("values"),
+                    QJsonObject{{QStringLiteral("half"), QStringLiteral("nobody / 2")}});
+    });
+    std::vector<Error> faults;
+    (void)withValues(files, {}, &faults);
+    QStringList places;
+    for (const Error &fault : faults)
+        places.append(fault.file + fault.pointer);
+    QCOMPARE(places, (QStringList{QStringLiteral("lab.json/values/pi"),
+                                  QStringLiteral("S1/task.json/values/half")}));
 }
 
 void TestLabValues::textsProgramsAndScenesHaveThem()

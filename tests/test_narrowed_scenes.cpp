@@ -19,6 +19,8 @@ class TestNarrowedScenes : public QObject
 private slots:
     void partingCirclesAreLeftAlone_data();
     void partingCirclesAreLeftAlone();
+    void partingCirclesOverlapByAStepOrTwo_data();
+    void partingCirclesOverlapByAStepOrTwo();
     void anglesStayInTheirRange_data();
     void anglesStayInTheirRange();
     void ownSeedDrawsTheSameScenes();
@@ -75,6 +77,38 @@ void TestNarrowedScenes::partingCirclesAreLeftAlone()
         if (fault)
             QVERIFY2(fault->message.contains(QStringLiteral("already moving apart")),
                      qPrintable(fault->message));
+    }
+}
+
+void TestNarrowedScenes::partingCirclesOverlapByAStepOrTwo_data()
+{
+    QTest::addColumn<double>("speed");  // m/s
+    QTest::addColumn<Vec2>("distance"); // of the centres, at least and at most, m
+    // A fifth to four fifths of a step more than one step takes them apart, 0.4 m being touching.
+    QTest::newRow("slowly") << 1.0 << Vec2{0.4 - 1.8 / 60.0, 0.4 - 1.2 / 60.0};
+    QTest::newRow("fast") << 6.0 << Vec2{0.4 - 10.8 / 60.0, 0.4 - 7.2 / 60.0};
+    QTest::newRow("never by more than half") << 20.0 << Vec2{0.2, 0.2};
+}
+
+void TestNarrowedScenes::partingCirclesOverlapByAStepOrTwo()
+{
+    QFETCH(double, speed);
+    QFETCH(Vec2, distance);
+    CheckSpec check = checkOf("collides", {}, {0, 1});
+    check.scene = {{QStringLiteral("kind"), QStringLiteral("parting")},
+                   {QStringLiteral("count"), 12},
+                   {QStringLiteral("speeds"), QJsonArray{speed, speed}},
+                   {QStringLiteral("radii"), QJsonArray{0.2, 0.2}},
+                   {QStringLiteral("timesteps"), QJsonArray{1.0 / 60.0}}};
+    for (const Variant &variant :
+         makeVariants(scene({Circle{}, Circle{.position = {1, 1}}}), check, 3)) {
+        const Circle &a = variant.preset.circles[0].body;
+        const Circle &b = variant.preset.circles[1].body;
+        const double apart = length(b.position - a.position);
+        QVERIFY2(apart >= distance.x - 1e-9 && apart <= distance.y + 1e-9,
+                 QByteArray::number(apart).constData());
+        QVERIFY(std::abs(dot(b.velocity - a.velocity, normalized(b.position - a.position)) - speed)
+                < 1e-9);
     }
 }
 

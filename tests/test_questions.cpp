@@ -101,6 +101,7 @@ void TestQuestions::numberIsJudgedWithItsUnit()
     QCOMPARE(outcome.passed, said.isEmpty());
     QVERIFY2(outcome.message.contains(said), qPrintable(outcome.message));
     QVERIFY(!outcome.expected); // what is right is not told
+    QVERIFY(outcome.question && !outcome.forTeacher);
 }
 
 void TestQuestions::answerIsToldInTheUnitThatIsAskedFor()

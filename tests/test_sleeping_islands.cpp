@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/continuous/sleeping_islands.h"
-
-#include <QTest>
+#include "tests/scenes.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@ private slots:
     void whoWokeBeginsToCountAnew();
     void islandsAreNumberedAnewWhenNoneSleeps();
     void aStartWakesAll();
+    void whoFallsOnASleeperIsNeverLate();
 };
 
 void TestSleepingIslands::stepsAtRestAreCountedInARow()
@@ -98,6 +98,32 @@ void TestSleepingIslands::aStartWakesAll()
     islands.lay(std::array{2U});
     QVERIFY(!islands.sleeps(0));
     QCOMPARE(islands.countStill(1, true, {}, 0.0), 1);
+}
+
+/// From sixty heights, the lowest after the row on the floor has gone to sleep, which does not fall
+/// with those above: however long ago it was seen who may meet whom.
+void TestSleepingIslands::whoFallsOnASleeperIsNeverLate()
+{
+    constexpr std::size_t columns = 60;
+    constexpr double radius = 0.05;
+    Preset preset = scenes::scene({}, {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous});
+    preset.gravity = {0, -scenes::g};
+    preset.restitution = 0.5;
+    for (std::size_t i = 0; i < 2 * columns; ++i) {
+        const auto column = static_cast<double>(i % columns);
+        const double height = i < columns ? 0.0 : 1.6 + 0.1 * column;
+        preset.circles.push_back(scenes::circle(
+            {-3.9 + 0.13 * column, -scenes::halfWidth + radius + height}, {}, radius));
+    }
+    scenes::Run run(preset);
+    for (int step = 0; step < 90; ++step) {
+        run.steps(1);
+        for (std::size_t i = 0; i < columns; ++i) {
+            const double gap = run[columns + i].position.y - run[i].position.y - 2.0 * radius;
+            QVERIFY2(gap >= -1e-4 * radius, QByteArray::number(gap).constData());
+        }
+    }
+    QVERIFY(run.hits.size() >= columns);
 }
 
 QTEST_APPLESS_MAIN(TestSleepingIslands)
