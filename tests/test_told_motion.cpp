@@ -32,6 +32,8 @@ private slots:
     void methodIsTold_data();
     void methodIsTold();
     void methodsOfTwoAreTold();
+    void anyMethodInPartsIsRight_data();
+    void anyMethodInPartsIsRight();
 
 private:
     /// What is said in \p step of a program that adds \p place to the place and \p velocity to the
@@ -331,6 +333,51 @@ void TestToldMotion::methodsOfTwoAreTold()
         QVERIFY2(said.contains(QString::fromUtf8("circle 1 goes on by 0 a Δt² in a step besides "
                                                  "v Δt, and circle 2 by 1 a Δt²")),
                  qPrintable(each.id + said));
+        ++told;
+    }
+    QVERIFY(told > 0);
+}
+
+void TestToldMotion::anyMethodInPartsIsRight_data()
+{
+    QTest::addColumn<double>("share"); // of g h² in the way of a step
+    QTest::addColumn<bool>("right");
+    // One or the other Euler in n equal parts: ½ ± 1/2n.
+    QTest::newRow("two parts") << 0.75 << true;
+    QTest::newRow("two parts, old velocity") << 0.25 << true;
+    QTest::newRow("three parts") << 2.0 / 3.0 << true;
+    QTest::newRow("nineteen parts") << 0.5 + 0.5 / 19.0 << true;
+    QTest::newRow("two and a half parts") << 0.7 << false;
+    QTest::newRow("ten and a half parts") << 0.5 + 0.5 / 10.5 << false;
+    QTest::newRow("hardly less than the whole") << 0.96 << false;
+    QTest::newRow("more than the whole") << 1.3 << false;
+    QTest::newRow("upward") << -0.2 << false;
+    // So many that it is not told from the exact parabola.
+    QTest::newRow("thirty and a half parts") << 0.5 + 0.5 / 30.5 << true;
+}
+
+/// In every step that names no method.
+void TestToldMotion::anyMethodInPartsIsRight()
+{
+    QFETCH(double, share);
+    QFETCH(bool, right);
+    int told = 0;
+    for (const Task &each : m_lab.tasks) {
+        const LawBench bench(each);
+        const auto &flights = bench.ground.flights;
+        const bool falls = std::any_of(bench.ground.gravities.begin(), bench.ground.gravities.end(),
+                                       [](Vec2 g) { return g != Vec2{}; });
+        if (flights.empty() || !flights.front().asked || !flights.front().isAnyMethod || !falls)
+            continue;
+        const QString program =
+            written({.move = QStringLiteral("c.position = c.position + c.velocity * h + "
+                                            "%1 * gravity * h * h "
+                                            "c.velocity = c.velocity + gravity * h")
+                                 .arg(share, 0, 'g', 17)},
+                    structures[0]);
+        const MeasuredLaws own(&program, bench.ground);
+        const auto found = flightDeviations(own.flight(), bench.right.flight(), bench.ground);
+        QVERIFY2(found.empty() == right, qPrintable(each.id));
         ++told;
     }
     QVERIFY(told > 0);
