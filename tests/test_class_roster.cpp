@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/made_class.h"
 
+#include "tasks/grading/class_roster.h"
 #include "tasks/grading/roster.h"
 
 using namespace cradle;
@@ -19,6 +20,8 @@ private slots:
     void brokenRosterIsRefused_data();
     void brokenRosterIsRefused();
     void tableCellsMayBeQuoted();
+    void idsArePlainAndTellNamesApart_data();
+    void idsArePlainAndTellNamesApart();
 };
 
 /// Also where all accounts begin alike, and where there is but one.
@@ -108,6 +111,39 @@ void TestClassRoster::tableCellsMayBeQuoted()
     const auto table = tableFrom(text("a,b\r\n\"x, \"\"y\"\"\n2\",z\r\n\n"));
     QCOMPARE(table.size(), std::size_t(2));
     QCOMPARE(table[1], (QStringList{text("x, \"y\"\n2"), text("z")}));
+}
+
+void TestClassRoster::idsArePlainAndTellNamesApart_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("id");
+    const auto row = [](const char *name, const char *id) {
+        QTest::newRow(name) << text(name) << text(id);
+    };
+    // Behind what is left of a name that is not plain: the begin of its SHA-256, by `sha256sum`.
+    row("ada", "ada");
+    row("Ada Lovelace", "Ada-Lovelace");
+    row("ada_l.7+x@y-z", "ada_l.7+x@y-z");
+    row("..hidden", "hidden");
+    row("-.x", "x");
+    row("Müller", "Muller-a7842989");
+    row("a/b", "a-b-c14cddc0");
+    row("a//b", "a-b-7a9acf33");
+    row("a\\b:c", "a-b-c-c4b70e9a");
+    row("李", "c16667ca");
+    row("/", "8a5edab2");
+    const QString long80(80, QLatin1Char('n'));
+    QTest::newRow("80 letters") << long80 << long80;
+    QTest::newRow("81 letters") << long80 + QLatin1Char('n')
+                                << long80.left(71) + QStringLiteral("-30ed7cca");
+}
+
+/// They are names of files and folders.
+void TestClassRoster::idsArePlainAndTellNamesApart()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, id);
+    QCOMPARE(studentIdFrom(name), id);
 }
 
 QTEST_GUILESS_MAIN(TestClassRoster)
