@@ -262,7 +262,7 @@ void TestChecks::faultSaysWhatWasAndWhatShouldBe()
     const Observation o = observed(scene({{}}, down), 0.1, carriedOn(0.0));
     const auto fault =
         judge(check("integrates", {0}, integrators({QStringLiteral("symplectic_euler")})), o);
-    VERIFY_REFUSED(fault, QStringLiteral("This is what Euler does"));
+    VERIFY_REFUSED(fault, QStringLiteral("In this step Euler does so"));
     COMPARE_NEAR(*fault->expected, -0.002725, 1e-9);
     QCOMPARE(*fault->observed, 0.0);
     QCOMPARE(fault->unit, QStringLiteral("m"));

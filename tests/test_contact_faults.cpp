@@ -46,6 +46,19 @@ CheckSpec pair(const char *kind, const QJsonObject &parameters = {})
     return check(kind, {0, 1}, parameters);
 }
 
+/// Both are accelerated by −2 m/s² in so many steps.
+std::vector<Change> falling(int steps)
+{
+    std::vector<Change> changes;
+    for (int step = 1; step <= steps; ++step) {
+        changes.push_back({step, [](Circles &c) {
+                               c[0].velocity.y -= 0.2;
+                               c[1].velocity.y -= 0.2;
+                           }});
+    }
+    return changes;
+}
+
 /// One array of two velocities.
 QJsonObject velocities(Vec2 a, Vec2 b)
 {
@@ -62,30 +75,44 @@ void addCollisions()
            "other circle: their rims were still 1.3 m apart",
            3, 0.0, 1.3, "m");
     addRow("both turn too early", pair("collides"), drift(apart(), leave({-1, 0}, {1, 0}, 3)),
-           "At step 3 the circles changed their velocities although their rims were still 1.3 m "
-           "apart; they should touch first, at a distance of r₁ + r₂",
+           "At step 3 both circles changed their velocities although they touched neither a wall "
+           "nor each other: their rims were still 1.3 m apart",
            3, 0.0, 1.3, "m");
-    addRow("both fall otherwise", pair("collides"),
-           drift(apart(),
-                 {leave({1, -0.2}, {0, -0.2}, 1).front(), leave({1, -0.4}, {0, -0.4}, 2).front()}),
-           "At step 1 the circles changed their velocities by (0, -0.2) and (0, -0.2) m/s besides "
-           "gravity; in a step beside it they do so, too, so it is no hit's",
-           1);
+    addRow("both fall otherwise", pair("collides"), drift(apart(), falling(10)),
+           "At step 1 the velocity of circle 1 went from (1, 0) to (1, -0.2) m/s where gravity "
+           "alone makes it (1, 0) m/s. It changes in the same way at step 2, where it touches "
+           "nothing: look at its motion first. Hits are judged when that is right",
+           1, 0.0, -0.2, "m/s");
+    // Two steps of ten are no law of its motion.
+    addRow("both fall twice", pair("collides"), drift(apart(), falling(2)),
+           "At step 1 both circles changed their velocities although they touched neither a wall "
+           "nor each other: their rims were still 1.5 m apart",
+           1, 0.0, 1.5, "m");
+    addRow("both fall while they part", pair("collides"),
+           drift({{.position = {-0.15, 0}, .velocity = {-1, 0}},
+                  {.position = {0.15, 0}, .velocity = {1, 0}}},
+                 falling(10)),
+           "At step 1 the velocity of circle 1 went from (-1, 0) to (-1, -0.2) m/s where gravity "
+           "alone makes it (-1, 0) m/s. It changes in the same way at step 3, where it touches "
+           "nothing: look at its motion first. Hits are judged when that is right",
+           1, 0.0, -0.2, "m/s");
     addRow("turned by a wall beside the other", pair("conserves"),
            drift({{.position = {3.4, 0}}, {.position = {3.75, 0}, .velocity = {1, 0}}},
                  leave({0, 0}, {-1, 0}, 1)),
-           "No hit changed the velocities of the circles; one should", 0);
+           "In this scene no hit changed the velocities of the circles; one should", 0);
     addRow("turned by one wall both", pair("collides"),
            drift({{.position = {3.75, 0.2}, .velocity = {1, 0}},
                   {.position = {3.75, -0.2}, .velocity = {1, 0}}},
                  leave({-1, 0}, {-1, 0}, 1)),
-           "No velocity changed in a hit of the circles, so there is none to judge", 0, 1.0, 0.0);
+           "In this scene no velocity changed in a hit of the circles, so there is none to judge",
+           0, 1.0, 0.0);
     addRow("hit again while they part", pair("collides"),
            drift({{.position = {-0.05, 0}, .velocity = {-1, 0}},
                   {.position = {0.05, 0}, .velocity = {1, 0}}},
                  leave({1, 0}, {-1, 0})),
-           "At step 2 the circles were already moving apart with 2 m/s and were hit again; "
-           "circles that move apart should be left alone",
+           "At step 2 the circles were already moving apart with 2 m/s, and their velocities "
+           "changed from (-1, 0) and (1, 0) to (1, 0) and (-1, 0) m/s; circles that move apart "
+           "should be left alone",
            2);
     // Who neither comes nearer nor parts is not hit, but nor was he moving apart.
     addRow("pushed apart side by side", pair("collides"),
@@ -107,11 +134,16 @@ void addCollisions()
            "At step 1 the circles have run into each other and go on as if nothing had happened; "
            "they should answer as soon as their distance is r₁ + r₂",
            1);
+    addRow("no answer with e", pair("collides"), drift(headOn(), {}, 1.0, {}, 0.0),
+           "At step 1, with e = 0, the circles have run into each other and go on as if nothing "
+           "had happened; they should answer as soon as their distance is r₁ + r₂",
+           1);
     addRow("too few", pair("collides", {{QStringLiteral("contacts"), 2}}),
            drift(headOn(), leave({0, 0}, {1, 0})),
            "Hits that the circles answered: 1; at least 2 is right", 0, 2.0, 1.0);
     addRow("none", pair("collides"), drift(apart(), {}),
-           "No velocity changed in a hit of the circles, so there is none to judge", 0, 1.0, 0.0);
+           "In this scene no velocity changed in a hit of the circles, so there is none to judge",
+           0, 1.0, 0.0);
     addRow("leaps away", pair("collides"),
            drift(headOn(), {{2,
                              [](Circles &c) {
@@ -146,7 +178,7 @@ void TestContactFaults::faultIsSaidToTheLetter_data()
            "At step 2 the hit changed the kinetic energy from 0.5 to 0.25 J; it should stay", 2,
            0.5, 0.25, "J");
     addRow("nothing to conserve", pair("conserves"), drift(apart(), {}),
-           "No hit changed the velocities of the circles; one should", 0);
+           "In this scene no hit changed the velocities of the circles; one should", 0);
     addRow("the first leaves with another velocity", pair("after_contact", velocities({}, {1, 0})),
            drift(headOn(), leave({0.5, 0}, {0.5, 0})),
            "At step 2 circle 1 left the first hit with (0.5, 0) m/s; (0, 0) m/s is right", 2, 0.0,

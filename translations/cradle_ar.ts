@@ -833,14 +833,6 @@
         <translation>خلال ⁦%1 s⁩ كان عدد المرات التي جاءت فيها الدائرة ⁨%2⁩ إلى جدار ⁨%3⁩؛ يجب أن يُرى ⁨%4⁩ على الأقل للحكم على بقائها في الداخل</translation>
     </message>
     <message>
-        <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أن المسافة بين حافتيهما كانت لا تزال ⁦%2 m⁩؛ يجب أن تتلامسا أولًا، عند مسافة ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
-    </message>
-    <message>
-        <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
-        <translation>في الخطوة ⁨%1⁩ كانت الدائرتان تتباعدان بالفعل بسرعة ⁦%2 m/s⁩ ثم صُدمتا مرة أخرى؛ الدائرتان المتباعدتان يجب أن تُتركا وشأنهما</translation>
-    </message>
-    <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
         <translation>في الخطوة ⁨%1⁩ غادرت الدائرة 1 التصادم بسرعة ⁦%2 m/s⁩ والدائرة 2 بسرعة ⁦%3 m/s⁩؛ وعلى خط المركزين ⁨%4⁩ يجب أن تكونا ⁨%5⁩ و⁦%6 m/s⁩</translation>
     </message>
@@ -891,10 +883,6 @@
     <message>
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
         <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩</translation>
-    </message>
-    <message>
-        <source>. This is what %1 does</source>
-        <translation>. هذا ما تفعله طريقة ⁨%1⁩</translation>
     </message>
     <message>
         <source>Circle %1 was free of walls and other circles for %2 s only; at least %3 s must be seen to judge its motion</source>
@@ -1065,28 +1053,48 @@
         <translation>في الخطوة ⁨%1⁩ حافة الدائرة ⁨%2⁩ على بعد ⁦%3 m⁩ وراء ⁨%4⁩ حيث لم تبقَ لها سرعة؛ ينبغي ألا تكون وراءه</translation>
     </message>
     <message>
-        <source>At step %1 the circles changed their velocities by %2 and %3 m/s besides gravity; in a step beside it they do so, too, so it is no hit&apos;s</source>
-        <translation>في الخطوة ⁨%1⁩ تغيّرت سرعتا الدائرتين عدا الجاذبية بمقدار ⁨%2⁩ و⁦%3 m/s⁩؛ وكذلك في خطوة مجاورة، فليس ذلك من تصادم</translation>
-    </message>
-    <message>
-        <source>No velocity changed in a hit of the circles, so there is none to judge</source>
-        <translation>لم تتغيّر أي سرعة في تصادم للدائرتين، فلا تصادم يُحكم عليه</translation>
-    </message>
-    <message>
-        <source>No hit changed the velocities of the circles; one should</source>
-        <translation>لم يغيّر أي تصادم سرعتي الدائرتين؛ ويجب أن يحدث ذلك</translation>
-    </message>
-    <message>
         <source>At step %1, at a wall, circle %2 had %3 m/s along the wall before the step and %4 m/s after it; with gravity alone it is %5 m/s</source>
         <translation>في الخطوة ⁨%1⁩ عند جدار كان للدائرة ⁨%2⁩ على امتداد الجدار ⁦%3 m/s⁩ قبل الخطوة و⁦%4 m/s⁩ بعدها؛ وبالجاذبية وحدها تكون ⁦%5 m/s⁩</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s where gravity alone makes it %6 m/s; in a step beside it the difference is the same, so it is no wall&apos;s</source>
-        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ في ⁨%3⁩ من ⁨%4⁩ إلى ⁦%5 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%6 m/s⁩؛ وفي خطوة مجاورة يتكرر الفرق نفسه، فليس من جدار</translation>
-    </message>
-    <message>
         <source>At step %1 circle %2 was leaving the %3, with %4 m/s before the step and %5 m/s after it; with gravity alone it is %6 m/s</source>
         <translation>في الخطوة ⁨%1⁩ كانت الدائرة ⁨%2⁩ تغادر ⁨%3⁩ بسرعة ⁦%4 m/s⁩ قبل الخطوة و⁦%5 m/s⁩ بعدها؛ وبالجاذبية وحدها تكون ⁦%6 m/s⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
+        <translation>في الخطوة ⁨%1⁩ لا تزال الدائرة ⁨%2⁩ تتحرك داخل ⁨%3⁩ بسرعة ⁦%4 m/s⁩، منذ الخطوة ⁨%5⁩؛ ومع ⁦e = %6⁩ يجب أن يستجيب الجدار فورًا</translation>
+    </message>
+    <message>
+        <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
+        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أنهما لم تلامسا جدارًا ولم تتلامسا: كانت المسافة بين حافتيهما لا تزال ⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
+        <translation>في الخطوة ⁨%1⁩ كانت الدائرتان تتباعدان بالفعل بسرعة ⁦%2 m/s⁩، وتغيّرت سرعتاهما من ⁦%3⁩ و⁦%4⁩ إلى ⁦%5⁩ و⁦%6 m/s⁩؛ الدائرتان المتباعدتان يجب أن تُتركا وشأنهما</translation>
+    </message>
+    <message>
+        <source>At step %1, with e = %2, the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>في الخطوة ⁨%1⁩، مع ⁦e = %2⁩، تداخلت الدائرتان ومضتا كأن شيئًا لم يكن؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
+    </message>
+    <message>
+        <source>In this scene no velocity changed in a hit of the circles, so there is none to judge</source>
+        <translation>في هذا المشهد لم تتغيّر أي سرعة في تصادم بين الدائرتين، فلا تصادم يمكن الحكم عليه</translation>
+    </message>
+    <message>
+        <source>In this scene no hit changed the velocities of the circles; one should</source>
+        <translation>في هذا المشهد لم يغيّر أي تصادم سرعتي الدائرتين؛ ويجب أن يحدث ذلك</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
+        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩، ولا تفعل ذلك أي طريقة صحيحة هنا؛ وأقربها، ⁨%4⁩، تحركها بمقدار ⁦%5 m⁩</translation>
+    </message>
+    <message>
+        <source>. In this step %1 does so</source>
+        <translation>. في هذه الخطوة تفعل ذلك طريقة ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
+        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%5 m/s⁩. وتتغيّر بالطريقة نفسها في الخطوة ⁨%6⁩ حيث لا تلامس شيئًا: انظر إلى حركتها أولًا. يُحكم على التصادمات حين تصح الحركة</translation>
     </message>
 </context>
 <context>

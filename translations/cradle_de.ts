@@ -797,14 +797,6 @@
         <translation>In Schritt %1 liegt der Rand von Kreis %2 um %3 m hinter %4; richtig ist höchstens der Weg eines Schritts, %5 m</translation>
     </message>
     <message>
-        <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>In Schritt %1 änderten die Kreise ihre Geschwindigkeiten, obwohl ihre Ränder noch %2 m auseinander waren; sie sollen sich zuerst berühren, beim Abstand r₁ + r₂</translation>
-    </message>
-    <message>
-        <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
-        <translation>In Schritt %1 entfernten sich die Kreise schon mit %2 m/s voneinander und stießen noch einmal; Kreise, die sich entfernen, sollen in Ruhe gelassen werden</translation>
-    </message>
-    <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
         <translation>In Schritt %1 kam Kreis 1 mit %2 m/s aus dem Stoß und Kreis 2 mit %3 m/s; längs der Verbindungslinie der Mittelpunkte %4 sollen es %5 und %6 m/s sein</translation>
     </message>
@@ -839,10 +831,6 @@
     <message>
         <source>At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m</source>
         <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; nach %4 sind es %5 m</translation>
-    </message>
-    <message>
-        <source>. This is what %1 does</source>
-        <translation>. Das tut das Verfahren %1</translation>
     </message>
     <message>
         <source> or </source>
@@ -1057,28 +1045,48 @@
         <translation>In Schritt %1 ist der Rand von Kreis %2 um %3 m hinter %4, wo er kein Tempo mehr hatte; er soll nicht dahinter liegen</translation>
     </message>
     <message>
-        <source>At step %1 the circles changed their velocities by %2 and %3 m/s besides gravity; in a step beside it they do so, too, so it is no hit&apos;s</source>
-        <translation>In Schritt %1 änderten die Kreise ihre Geschwindigkeiten außer durch die Schwerkraft um %2 und %3 m/s; in einem Schritt daneben ebenso, also kommt es von keinem Stoß</translation>
-    </message>
-    <message>
-        <source>No velocity changed in a hit of the circles, so there is none to judge</source>
-        <translation>Keine Geschwindigkeit änderte sich in einem Stoß der Kreise, also ist keiner zu beurteilen</translation>
-    </message>
-    <message>
-        <source>No hit changed the velocities of the circles; one should</source>
-        <translation>Kein Stoß änderte die Geschwindigkeiten der Kreise; einer soll es</translation>
-    </message>
-    <message>
         <source>At step %1, at a wall, circle %2 had %3 m/s along the wall before the step and %4 m/s after it; with gravity alone it is %5 m/s</source>
         <translation>In Schritt %1 hatte Kreis %2 an einer Wand vor dem Schritt %3 m/s längs der Wand und danach %4 m/s; mit der Schwerkraft allein sind es %5 m/s</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s where gravity alone makes it %6 m/s; in a step beside it the difference is the same, so it is no wall&apos;s</source>
-        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 in %3 von %4 auf %5 m/s, wo die Schwerkraft allein %6 m/s daraus macht; in einem Schritt daneben ist der Unterschied derselbe, also kommt er von keiner Wand</translation>
-    </message>
-    <message>
         <source>At step %1 circle %2 was leaving the %3, with %4 m/s before the step and %5 m/s after it; with gravity alone it is %6 m/s</source>
         <translation>In Schritt %1 bewegte sich Kreis %2 von %3 weg, mit %4 m/s vor dem Schritt und %5 m/s danach; mit der Schwerkraft allein sind es %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
+        <translation>In Schritt %1 bewegt sich Kreis %2 seit Schritt %5 immer noch mit %4 m/s zu %3 hin; mit e = %6 soll die Wand sofort antworten</translation>
+    </message>
+    <message>
+        <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
+        <translation>In Schritt %1 änderten beide Kreise ihre Geschwindigkeiten, obwohl sie weder eine Wand noch einander berührten: ihre Ränder waren noch %2 m auseinander</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
+        <translation>In Schritt %1 entfernten sich die Kreise schon mit %2 m/s voneinander, und ihre Geschwindigkeiten änderten sich von %3 und %4 auf %5 und %6 m/s; Kreise, die sich entfernen, sollen in Ruhe gelassen werden</translation>
+    </message>
+    <message>
+        <source>At step %1, with e = %2, the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>In Schritt %1, mit e = %2, sind die Kreise ineinander gelaufen und bewegen sich weiter, als wäre nichts geschehen; sie sollen antworten, sobald ihr Abstand r₁ + r₂ ist</translation>
+    </message>
+    <message>
+        <source>In this scene no velocity changed in a hit of the circles, so there is none to judge</source>
+        <translation>In dieser Szene änderte sich bei einem Stoß der Kreise keine Geschwindigkeit; es gibt also keinen zu beurteilen</translation>
+    </message>
+    <message>
+        <source>In this scene no hit changed the velocities of the circles; one should</source>
+        <translation>In dieser Szene änderte kein Stoß die Geschwindigkeiten der Kreise; einer soll es</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
+        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m, wie nach keinem der hier richtigen Verfahren; nach dem nächsten davon, %4, sind es %5 m</translation>
+    </message>
+    <message>
+        <source>. In this step %1 does so</source>
+        <translation>. In diesem Schritt tut das auch das Verfahren %1</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn die stimmt</translation>
     </message>
 </context>
 <context>

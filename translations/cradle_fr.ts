@@ -825,14 +825,6 @@
         <translation>En %1 s, le cercle %2 est arrivé %3 fois à une paroi&#xa0;; il faut le voir au moins %4 fois pour juger s&apos;il reste à l&apos;intérieur</translation>
     </message>
     <message>
-        <source>At step %1 the circles changed their velocities although their rims were still %2 m apart; they should touch first, at a distance of r₁ + r₂</source>
-        <translation>Au pas %1, les cercles ont changé de vitesse alors que leurs bords étaient encore à %2 m l&apos;un de l&apos;autre&#xa0;; ils doivent d&apos;abord se toucher, à une distance de r₁ + r₂</translation>
-    </message>
-    <message>
-        <source>At step %1 the circles were already moving apart with %2 m/s and were hit again; circles that move apart should be left alone</source>
-        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s et ont subi un nouveau choc&#xa0;; il ne faut plus toucher à des cercles qui s&apos;éloignent</translation>
-    </message>
-    <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
         <translation>Au pas %1, le cercle 1 est sorti du choc avec %2 m/s et le cercle 2 avec %3 m/s&#xa0;; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
     </message>
@@ -883,10 +875,6 @@
     <message>
         <source>At step %1 circle %2 moved by %3 m; its velocity times the timestep is %4 m</source>
         <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m</translation>
-    </message>
-    <message>
-        <source>. This is what %1 does</source>
-        <translation>. C&apos;est ce que fait %1</translation>
     </message>
     <message>
         <source>Circle %1 was free of walls and other circles for %2 s only; at least %3 s must be seen to judge its motion</source>
@@ -1057,28 +1045,48 @@
         <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m alors qu&apos;il n&apos;y avait plus de vitesse&#xa0;; il ne doit pas dépasser</translation>
     </message>
     <message>
-        <source>At step %1 the circles changed their velocities by %2 and %3 m/s besides gravity; in a step beside it they do so, too, so it is no hit&apos;s</source>
-        <translation>Au pas %1, les cercles ont changé leurs vitesses de %2 et %3 m/s en plus de la pesanteur&#xa0;; à un pas voisin aussi, cela ne vient donc d&apos;aucun choc</translation>
-    </message>
-    <message>
-        <source>No velocity changed in a hit of the circles, so there is none to judge</source>
-        <translation>Aucune vitesse n&apos;a changé dans un choc des cercles&#xa0;: il n&apos;y en a donc aucun à juger</translation>
-    </message>
-    <message>
-        <source>No hit changed the velocities of the circles; one should</source>
-        <translation>Aucun choc n&apos;a changé les vitesses des cercles&#xa0;; il doit y en avoir un</translation>
-    </message>
-    <message>
         <source>At step %1, at a wall, circle %2 had %3 m/s along the wall before the step and %4 m/s after it; with gravity alone it is %5 m/s</source>
         <translation>Au pas %1, à une paroi, le cercle %2 avait %3 m/s le long de la paroi avant le pas et %4 m/s après&#xa0;; avec la seule pesanteur, c&apos;est %5 m/s</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s where gravity alone makes it %6 m/s; in a step beside it the difference is the same, so it is no wall&apos;s</source>
-        <translation>Au pas %1, la vitesse du cercle %2 en %3 est passée de %4 à %5 m/s alors que la seule pesanteur en fait %6 m/s&#xa0;; à un pas voisin, la différence est la même&#xa0;: elle ne vient donc pas d&apos;une paroi</translation>
-    </message>
-    <message>
         <source>At step %1 circle %2 was leaving the %3, with %4 m/s before the step and %5 m/s after it; with gravity alone it is %6 m/s</source>
         <translation>Au pas %1, le cercle %2 quittait %3, à %4 m/s avant le pas et à %5 m/s après&#xa0;; avec la seule pesanteur, c&apos;est %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
+        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 avec %4 m/s, depuis le pas %5&#xa0;; avec e = %6, la paroi doit réagir aussitôt</translation>
+    </message>
+    <message>
+        <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
+        <translation>Au pas %1, les deux cercles ont changé de vitesse alors qu&apos;ils ne touchaient ni une paroi ni l&apos;autre cercle&#xa0;: leurs bords étaient encore à %2 m l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
+        <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s, et leurs vitesses sont passées de %3 et %4 à %5 et %6 m/s&#xa0;; il ne faut plus toucher à des cercles qui s&apos;éloignent</translation>
+    </message>
+    <message>
+        <source>At step %1, with e = %2, the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>Au pas %1, avec e = %2, les cercles sont entrés l&apos;un dans l&apos;autre et continuent comme si de rien n&apos;était&#xa0;; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>In this scene no velocity changed in a hit of the circles, so there is none to judge</source>
+        <translation>Dans cette scène, aucune vitesse n&apos;a changé lors d&apos;un choc des cercles&#xa0;: il n&apos;y en a donc aucun à juger</translation>
+    </message>
+    <message>
+        <source>In this scene no hit changed the velocities of the circles; one should</source>
+        <translation>Dans cette scène, aucun choc n&apos;a changé les vitesses des cercles&#xa0;; il doit y en avoir un</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m, ce que ne fait aucun des intégrateurs admis ici&#xa0;; le plus proche, %4, le déplace de %5 m</translation>
+    </message>
+    <message>
+        <source>. In this step %1 does so</source>
+        <translation>. À ce pas, c&apos;est ce que fait %1</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors que la seule pesanteur en fait %5 m/s. Elle change de même au pas %6, où il ne touche rien&#xa0;: regardez d&apos;abord son mouvement. Les chocs seront jugés quand celui-ci sera juste</translation>
     </message>
 </context>
 <context>

@@ -90,7 +90,7 @@ std::optional<Fault> outside(const CheckSpec &check, const Observation &o, doubl
 }
 
 /// A circle that is held at a wall into which it still moves.
-std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
+std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity, double restitution)
 {
     for (const Wall wall : allWalls) {
         const Vec2 n = outwardNormal(wall);
@@ -105,13 +105,18 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity)
                        : 0;
             if (held < patience)
                 continue;
+            const QString text =
+                restitution == 1.0
+                    ? WallHitText::tr("At step %1 circle %2 is still moving into the %3 with %4 "
+                                      "m/s, since step %5; the wall should turn it round at once")
+                    : WallHitText::tr("At step %1 circle %2 is still moving into the %3 with %4 "
+                                      "m/s, since step %5; with e = %6 the wall should "
+                                      "answer at once");
+            const QString said =
+                text.arg(QString::number(k + 1), QString::number(i + 1), motion::wallName(wall),
+                         motion::figure(into), QString::number(k + 2 - patience));
             return Fault{.message =
-                             WallHitText::tr("At step %1 circle %2 is still moving into the "
-                                             "%3 with %4 m/s, since step %5; the wall should "
-                                             "turn it round at once")
-                                 .arg(QString::number(k + 1), QString::number(i + 1),
-                                      motion::wallName(wall), motion::figure(into),
-                                      QString::number(k + 2 - patience)),
+                             restitution == 1.0 ? said : said.arg(motion::figure(restitution)),
                          .expected = -into,
                          .observed = into,
                          .unit = QStringLiteral("m/s"),
@@ -169,7 +174,7 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
     const double restitution = motion::restitutionOf(check, o);
     int hits = 0;
     for (const int i : check.circles) {
-        if (auto fault = stuck(o, i, gravity))
+        if (auto fault = stuck(o, i, gravity, restitution))
             return fault;
         if (auto fault = leap(o, i, collisions, gravity))
             return fault;

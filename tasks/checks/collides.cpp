@@ -40,6 +40,7 @@ struct Answer {
     [[nodiscard]] Vec2 middleNormal() const;
     [[nodiscard]] Vec2 normal() const;
     [[nodiscard]] double approach() const;
+    [[nodiscard]] Vec2 gravity() const;
 };
 
 /// The direction of the push that circle b got: what the program took for the normal.
@@ -66,6 +67,12 @@ double Answer::approach() const
 {
     const Vec2 u = contact.beforeA - contact.beforeB;
     return std::max(dot(u, contact.normalFirst), dot(u, contact.normalLast));
+}
+
+/// What Contact took from the velocities after it, m/s².
+Vec2 Answer::gravity() const
+{
+    return (o.circle(a, contact.step + 1).velocity - contact.afterA) / o.timestep();
 }
 
 /// With discrete steps the normal may be that of any moment between the step before the hit and
@@ -113,52 +120,49 @@ std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
     return laws;
 }
 
+/// A change of a velocity in the step of \p answer that is no hit's.
+std::optional<Fault> ofEveryStep(const Answer &answer)
+{
+    const Vec2 gravity = answer.gravity();
+    const auto fault = motion::steadyFault(answer.o, answer.a, answer.contact.step, gravity);
+    return fault ? fault : motion::steadyFault(answer.o, answer.b, answer.contact.step, gravity);
+}
+
 Fault tooEarly(const Answer &answer)
 {
     const double gap = answer.contact.nearest;
     const motion::Contact &c = answer.contact;
     const bool keepsA = motion::isSame(c.afterA, c.beforeA, answer.tolerance);
-    const Vec2 gravity =
-        (answer.o.circle(answer.a, c.step + 1).velocity - c.afterA) / answer.o.timestep();
-    const bool isOfEveryStep = motion::isSteady(answer.o, answer.a, c.step, gravity)
-                               && motion::isSteady(answer.o, answer.b, c.step, gravity);
-    if (keepsA != motion::isSame(c.afterB, c.beforeB, answer.tolerance))
-        return {.message = CollideText::tr("At step %1 circle %2 changed its velocity although it "
-                                           "touched neither a wall nor the other circle: their "
-                                           "rims were still %3 m apart")
-                               .arg(QString::number(c.step + 1),
-                                    QString::number((keepsA ? answer.b : answer.a) + 1),
-                                    motion::figure(gap)),
-                .expected = 0.0,
-                .observed = gap,
-                .unit = QStringLiteral("m"),
-                .step = c.step + 1};
-    if (isOfEveryStep)
-        return {.message =
-                    CollideText::tr("At step %1 the circles changed their velocities by %2 "
-                                    "and %3 m/s besides gravity; in a step beside it they "
-                                    "do so, too, so it is no hit's")
-                        .arg(QString::number(c.step + 1), motion::figure(c.afterA - c.beforeA),
-                             motion::figure(c.afterB - c.beforeB)),
-                .step = c.step + 1};
-    return {.message = CollideText::tr("At step %1 the circles changed their velocities although "
-                                       "their rims were still %2 m apart; they should touch first, "
-                                       "at a distance of r₁ + r₂")
-                           .arg(QString::number(answer.contact.step + 1), motion::figure(gap)),
+    const QString said =
+        keepsA != motion::isSame(c.afterB, c.beforeB, answer.tolerance)
+            ? CollideText::tr("At step %1 circle %2 changed its velocity although it touched "
+                              "neither a wall nor the other circle: their rims were still %3 m "
+                              "apart")
+                  .arg(QString::number(c.step + 1),
+                       QString::number((keepsA ? answer.b : answer.a) + 1), motion::figure(gap))
+            : CollideText::tr("At step %1 both circles changed their velocities although they "
+                              "touched neither a wall nor each other: their rims were still %2 m "
+                              "apart")
+                  .arg(QString::number(c.step + 1), motion::figure(gap));
+    return {.message = said,
             .expected = 0.0,
             .observed = gap,
             .unit = QStringLiteral("m"),
-            .step = answer.contact.step + 1};
+            .step = c.step + 1};
 }
 
 Fault hitAgain(const Answer &answer)
 {
+    const motion::Contact &c = answer.contact;
     return {.message = CollideText::tr("At step %1 the circles were already moving apart with %2 "
-                                       "m/s and were hit again; circles that move apart should be "
-                                       "left alone")
-                           .arg(QString::number(answer.contact.step + 1),
-                                motion::figure(-answer.approach())),
-            .step = answer.contact.step + 1};
+                                       "m/s, and their velocities changed from %3 and %4 to %5 and "
+                                       "%6 m/s; circles that move apart should be left alone")
+                           .arg(QString::number(c.step + 1), motion::figure(-answer.approach()),
+                                motion::figureBeside(c.beforeA, c.afterA),
+                                motion::figureBeside(c.beforeB, c.afterB),
+                                motion::figureBeside(c.afterA, c.beforeA),
+                                motion::figureBeside(c.afterB, c.beforeB)),
+            .step = c.step + 1};
 }
 
 Fault wrongAnswer(const Answer &answer, CircleLaw law)
@@ -185,10 +189,13 @@ Fault wrongAnswer(const Answer &answer, CircleLaw law)
 /// A hit too early, or of circles that part already.
 std::optional<Fault> untimely(const Answer &answer, double gapAllowed)
 {
-    if (answer.contact.nearest > gapAllowed)
-        return tooEarly(answer);
+    const bool isEarly = answer.contact.nearest > gapAllowed;
     const double slack = motion::sameVelocity * (1.0 + quickLength(answer.contact.beforeA));
-    return answer.approach() < -slack ? std::optional(hitAgain(answer)) : std::nullopt;
+    if (!isEarly && answer.approach() >= -slack)
+        return std::nullopt;
+    if (auto fault = ofEveryStep(answer))
+        return fault;
+    return isEarly ? tooEarly(answer) : hitAgain(answer);
 }
 
 std::optional<Fault> notBy(const std::vector<CircleLaw> &laws, const Answer &answer)
@@ -221,21 +228,27 @@ std::optional<Fault> wrongRebound(const Answer &answer)
                  .step = contact.step + 1};
 }
 
-Fault missed(qint64 step)
+/// \param e  of the scene
+Fault missed(qint64 step, double e)
 {
-    return {.message = CollideText::tr("At step %1 the circles have run into each other and go on "
-                                       "as if nothing had happened; they should answer as soon as "
-                                       "their distance is r₁ + r₂")
-                           .arg(step),
-            .step = step};
+    const QString said =
+        e == 1.0 ? CollideText::tr("At step %1 the circles have run into each other and go on as "
+                                   "if nothing had happened; they should answer as soon as their "
+                                   "distance is r₁ + r₂")
+                       .arg(step)
+                 : CollideText::tr("At step %1, with e = %2, the circles have run into each other "
+                                   "and go on as if nothing had happened; they should answer as "
+                                   "soon as their distance is r₁ + r₂")
+                       .arg(QString::number(step), motion::figure(e));
+    return {.message = said, .step = step};
 }
 
 Fault tooFew(std::size_t observed, int wanted)
 {
     return {.message = observed == 0
                            ? CollideText::tr(
-                               "No velocity changed in a hit of the circles, so there is none "
-                               "to judge")
+                               "In this scene no velocity changed in a hit of the circles, so "
+                               "there is none to judge")
                            : CollideText::tr("Hits that the circles answered: %1; at least %2 is "
                                              "right")
                                  .arg(observed)
@@ -305,7 +318,7 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
     const qint64 missedStep = motion::missedContact(o, 0, 1);
     for (const motion::Contact &contact : contacts) {
         if (missedStep >= 0 && missedStep < contact.step)
-            return missed(missedStep);
+            return missed(missedStep, e);
         const Answer answer{o, 0, 1, contact, e, tolerance};
         if (auto fault = untimely(answer, gapAllowed + slackOf(o, gravity)))
             return fault;
@@ -315,7 +328,7 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
             return fault;
     }
     if (missedStep >= 0)
-        return missed(missedStep);
+        return missed(missedStep, e);
     const int wanted = valueOf(check, QStringLiteral("contacts")).toInt();
     if (contacts.size() < static_cast<std::size_t>(wanted))
         return tooFew(contacts.size(), wanted);

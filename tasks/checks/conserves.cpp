@@ -41,7 +41,9 @@ Balance balanceOf(const Observation &o, const motion::Contact &c)
 
 Fault noContact()
 {
-    return {.message = ConserveText::tr("No hit changed the velocities of the circles; one should"),
+    return {.message =
+                ConserveText::tr("In this scene no hit changed the velocities of the circles; one "
+                                 "should"),
             .step = 0};
 }
 
@@ -161,6 +163,8 @@ std::optional<Fault> passesThrough(const CheckSpec &check, const Observation &o)
         for (int i = 0; i < 2; ++i) {
             if (!motion::isKicked(o, i, k, gravity) || motion::isNearWall(o, i, k, gravity))
                 continue;
+            if (auto fault = motion::steadyFault(o, i, k, gravity))
+                return fault;
             return Fault{.message = ConserveText::tr("At step %1 the velocity of circle %2 changed "
                                                      "from %3 to %4 m/s; the circles should pass "
                                                      "through each other unchanged")

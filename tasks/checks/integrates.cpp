@@ -107,18 +107,30 @@ Fault wrongAcceleration(const Observation &o, int i, qint64 k, Vec2 gravity)
             .circle = i};
 }
 
-Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator wanted)
+/// What is wrong in a step that none of the \p wanted makes: told beside the one that comes
+/// nearest.
+Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity,
+                 const std::vector<Integrator> &wanted)
 {
     const Circle &now = o.circle(i, k);
-    const Vec2 right = advance(wanted, {now.position, now.velocity}, gravity, o.timestep()).position
-                       - now.position;
     const Vec2 observed = o.circle(i, k + 1).position - now.position;
+    const auto way = [&](Integrator integrator) {
+        return advance(integrator, {now.position, now.velocity}, gravity, o.timestep()).position
+               - now.position;
+    };
+    const Integrator nearest =
+        *std::min_element(wanted.begin(), wanted.end(), [&](Integrator a, Integrator b) {
+            return quickLength(way(a) - observed) < quickLength(way(b) - observed);
+        });
+    const Vec2 right = way(nearest);
     const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
     QString message =
-        IntegratorText::tr("At step %1 circle %2 moved by %3 m; by %4 it moves by "
-                           "%5 m")
+        (wanted.size() == 1
+             ? IntegratorText::tr("At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m")
+             : IntegratorText::tr("At step %1 circle %2 moved by %3 m, as by no integrator that "
+                                  "is right here; the nearest of them, %4, moves it by %5 m"))
             .arg(QString::number(k + 1), QString::number(i + 1),
-                 motion::figureBeside(observed, right), motion::integratorName(wanted),
+                 motion::figureBeside(observed, right), motion::integratorName(nearest),
                  motion::figureBeside(right, observed));
     if (gravity == Vec2{}) {
         message =
@@ -129,7 +141,7 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity, Integrator
     }
     const std::vector<Integrator> instead = agreeing(o, i, k, gravity);
     if (!instead.empty())
-        message += IntegratorText::tr(". This is what %1 does").arg(namesOf(instead));
+        message += IntegratorText::tr(". In this step %1 does so").arg(namesOf(instead));
     return {.message = message,
             .expected = x ? right.x : right.y,
             .observed = x ? observed.x : observed.y,
@@ -241,7 +253,7 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
             });
             isSubstepped = isSubstepped && substeps.take(o, i, k, gravity, tolerance);
             if (left.empty() && !isSubstepped)
-                return wrongPlace(o, i, k, gravity, wanted.front());
+                return wrongPlace(o, i, k, gravity, wanted);
         }
         if (auto fault = tooLittle(check, o, i, seen, gravity))
             return fault;

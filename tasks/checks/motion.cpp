@@ -58,6 +58,35 @@ std::optional<int> digitsThatTell(double value, double other)
     return std::nullopt;
 }
 
+/// Changes of velocity that differ by less than this share are one law's: drag, for one, changes
+/// with the speed.
+constexpr double alike = 0.1;
+
+/// A step in which circle \p i meets nothing and is changed as in the step after \p k, in a run in
+/// which it mostly is; see steadyFault().
+std::optional<qint64> sameInTheOpen(const Observation &o, int i, qint64 k, Vec2 gravity,
+                                    std::optional<Vec2> axis)
+{
+    const auto change = [&](qint64 step) {
+        const Vec2 whole = kick(o, i, step, gravity);
+        return axis ? dot(whole, *axis) * *axis : whole;
+    };
+    const Vec2 wanted = change(k);
+    qint64 open = 0;
+    qint64 changed = 0;
+    std::optional<qint64> like;
+    for (qint64 step = 0; step < o.steps(); ++step) {
+        if (isNearWall(o, i, step, gravity) || isNearCircle(o, i, step, gravity))
+            continue;
+        ++open;
+        const Vec2 now = change(step);
+        changed += isSame(now, {}) ? 0 : 1;
+        if (step != k && !like && quickLength(now - wanted) < alike * quickLength(wanted))
+            like = step;
+    }
+    return 2 * changed > open ? like : std::nullopt;
+}
+
 } // namespace
 
 bool isSame(Vec2 a, Vec2 b, double tolerance)
@@ -99,14 +128,29 @@ bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity, double tolera
            > tolerance * (1.0 + quickLength(o.circle(i, k).velocity));
 }
 
-bool isSteady(const Observation &o, int i, qint64 k, Vec2 gravity)
+std::optional<Fault> steadyFault(const Observation &o, int i, qint64 k, Vec2 gravity,
+                                 std::optional<Vec2> axis)
 {
-    const Vec2 now = kick(o, i, k, gravity);
-    const auto isAsMuch = [&](qint64 other) {
-        return other >= 0 && other < o.steps()
-               && quickLength(kick(o, i, other, gravity) - now) < 0.1 * quickLength(now);
-    };
-    return isAsMuch(k - 1) || isAsMuch(k + 1);
+    const auto like = sameInTheOpen(o, i, k, gravity, axis);
+    if (!like)
+        return std::nullopt;
+    const Vec2 before = o.circle(i, k).velocity;
+    const Vec2 after = o.circle(i, k + 1).velocity;
+    const Vec2 asked = before + o.timestep() * gravity;
+    const bool x = std::abs(after.x - asked.x) > std::abs(after.y - asked.y);
+    return Fault{.message =
+                     MotionText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s "
+                                    "where gravity alone makes it %5 m/s. It changes in the same "
+                                    "way at step %6, where it touches nothing: look at its motion "
+                                    "first. Hits are judged when that is right")
+                         .arg(QString::number(k + 1), QString::number(i + 1), figure(before),
+                              figureBeside(after, asked), figureBeside(asked, after),
+                              QString::number(*like + 1)),
+                 .expected = x ? asked.x : asked.y,
+                 .observed = x ? after.x : after.y,
+                 .unit = QStringLiteral("m/s"),
+                 .step = k + 1,
+                 .circle = i};
 }
 
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)

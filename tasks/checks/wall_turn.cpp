@@ -35,7 +35,8 @@ bool Turn::reaches(Wall wall) const
     const Vec2 n = outwardNormal(wall);
     const double dt = o.timestep();
     const double way = (std::abs(dot(before.velocity, n)) + std::abs(dot(gravity, n)) * dt) * dt;
-    return motion::wallGap(o, before, wall) <= way + motion::samePosition;
+    return motion::wallGap(o, before, wall) <= way + motion::samePosition
+           || motion::wallGap(o, o.circle(circle, step + 1), wall) <= motion::samePosition;
 }
 
 std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
@@ -61,8 +62,8 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
     const bool hitsOther = std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
         return wall != low && wall != high && reaches(wall);
     });
-    if (motion::isSteady(o, circle, step, gravity))
-        return accelerated(axis);
+    if (auto steady = motion::steadyFault(o, circle, step, gravity, axis))
+        return steady;
     if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
         return alongWall(axis, change);
     return fault(BounceText::tr("At step %1 circle %2 turned round although its rim was still %3 m "
@@ -90,22 +91,6 @@ Fault Turn::alongWall(Vec2 axis, double change) const
     return fault(kept == before ? said : said.arg(motion::figureBeside(kept, after)), kept, after);
 }
 
-Fault Turn::accelerated(Vec2 axis) const
-{
-    const double was = dot(o.circle(circle, step).velocity, axis);
-    const double is = dot(o.circle(circle, step + 1).velocity, axis);
-    const double asked = was + dot(o.timestep() * gravity, axis);
-    const QString name =
-        std::abs(axis.x) > std::abs(axis.y) ? QStringLiteral("x") : QStringLiteral("y");
-    return fault(BounceText::tr("At step %1 the velocity of circle %2 in %3 went from %4 to %5 m/s "
-                                "where gravity alone makes it %6 m/s; in a step beside it the "
-                                "difference is the same, so it is no wall's")
-                     .arg(QString::number(step + 1), QString::number(circle + 1), name,
-                          motion::figure(was), motion::figureBeside(is, asked),
-                          motion::figureBeside(asked, is)),
-                 asked, is);
-}
-
 std::optional<Fault> Turn::faultAt(Wall wall) const
 {
     const Vec2 n = outwardNormal(wall);
@@ -124,7 +109,8 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     const double last = -restitution * (into + pull);
     if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
         return std::nullopt;
-    return motion::isSteady(o, circle, step, gravity) ? accelerated(n) : wrongAt(wall, first, last);
+    const auto steady = motion::steadyFault(o, circle, step, gravity, n);
+    return steady ? steady : wrongAt(wall, first, last);
 }
 
 Fault Turn::againAt(Wall wall) const
@@ -191,8 +177,7 @@ bool Turn::isHit() const
         // Nothing falls onto a wall along which gravity pulls.
         const double held = heldSteps * std::abs(dot(gravity, n)) * o.timestep();
         const double into = dot(before.velocity, n);
-        return into > held + stopped && -dot(kick, n) > 0.5 * into
-               && motion::wallGap(o, before, wall) <= motion::travel(o, circle, step, gravity);
+        return into > held + stopped && -dot(kick, n) > 0.5 * into && reaches(wall);
     });
 }
 

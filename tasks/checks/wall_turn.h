@@ -27,7 +27,7 @@ struct Turn {
     [[nodiscard]] bool isHit() const;
 
 private:
-    /// Whether the way of one step, along its normal, takes the rim to that wall.
+    /// Whether the way of one step, along its normal, takes the rim to that wall, or the step did.
     [[nodiscard]] bool reaches(Wall wall) const;
     /// Judges a bounce off \p wall: v_n' = −e v_n, with gravity's part of the step before or after
     /// it.
@@ -35,8 +35,6 @@ private:
     [[nodiscard]] Fault againAt(Wall wall) const;
     [[nodiscard]] Fault wrongAt(Wall wall, double first, double last) const;
     [[nodiscard]] Fault alongWall(Vec2 axis, double change) const;
-    /// That a force other than gravity acts, which is none of a wall.
-    [[nodiscard]] Fault accelerated(Vec2 axis) const;
     [[nodiscard]] Fault fault(const QString &text, double expected, double observed) const;
 };
 
