@@ -10,48 +10,39 @@ using namespace cradle;
 using namespace cradle::programs;
 using namespace cradle::told;
 
-/// The numbers that findings on the walls and hits of a program tell are those that its law makes.
+/// The numbers that findings on the hits of a program tell are those that its law makes.
 class TestToldHits : public LabTest
 {
     Q_OBJECT
 private slots:
     void initTestCase() { read(shippedLab); }
-    void answerOfAWallIsTold_data();
-    void answerOfAWallIsTold();
-    void shareOfAWallIsTold();
-    void reachOfAWallIsTold_data();
-    void reachOfAWallIsTold();
-    void lengthForTheRadiusIsTold();
-    void openWallsAreTold();
     void distanceOfAContactIsTold_data();
     void distanceOfAContactIsTold();
     void massesOfAHitAreTold_data();
     void massesOfAHitAreTold();
     void reboundOfAHitIsTold_data();
     void reboundOfAHitIsTold();
+    void pushOnOneAloneIsTold_data();
+    void pushOnOneAloneIsTold();
 
 private:
     using Law = std::function<double(double)>; ///< of e
 
-    [[nodiscard]] QString bodyOfWalls(const QString &walls, const QString &headline = {}) const
-    {
-        const LawBench bench(task(QStringLiteral("L42T17")));
-        const QString program = written({.walls = walls}, structures[0]);
-        const MeasuredLaws own(&program, bench.ground);
-        return bodyOf(wallDeviations(own.walls(), bench.right.walls(), bench.ground), headline);
-    }
     /// In step 16, where radii, densities and e are varied.
     [[nodiscard]] std::vector<LawDeviation> foundOfHit(const HitLaw &law) const
     {
-        const LawBench bench(task(QStringLiteral("L42T16")));
-        const QString program =
+        return found(
             written({.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hitOf(hitWays[1], law)},
-                    structures[1]);
+                    structures[1]));
+    }
+    [[nodiscard]] std::vector<LawDeviation> found(const QString &program) const
+    {
+        const LawBench bench(task(QStringLiteral("L42T16")));
         const MeasuredLaws own(&program, bench.ground);
-        auto found = contactDeviations(own.pair(), bench.right.pair(), bench.ground);
+        auto all = contactDeviations(own.pair(), bench.right.pair(), bench.ground);
         for (LawDeviation &each : responseDeviations(own.pair(), bench.right.pair(), bench.ground))
-            found.push_back(std::move(each));
-        return found;
+            all.push_back(std::move(each));
+        return all;
     }
 };
 
@@ -65,139 +56,6 @@ QString text(const char *utf8)
 const QString e = QStringLiteral("restitution");
 
 } // namespace
-
-void TestToldHits::answerOfAWallIsTold_data()
-{
-    QTest::addColumn<QString>("back");
-    QTest::addColumn<QString>("along");
-    QTest::addColumn<Law>("backLaw");
-    QTest::addColumn<Law>("alongLaw");
-    const auto row = [](
-                         const char *back, const Law &backLaw, const char *along = "1",
-                         const Law &alongLaw = [](double) { return 1.0; }) {
-        QTest::addRow("%s, %s", back, along) << text(back) << text(along) << backLaw << alongLaw;
-    };
-    const Law same = [](double r) { return r; };
-    row("restitution ^ 2", [](double r) { return r * r; });
-    row("math.sqrt(restitution)", [](double r) { return std::sqrt(r); });
-    row("1 - restitution", [](double r) { return 1.0 - r; });
-    row("1 + restitution", [](double r) { return 1.0 + r; });
-    row("0.9 * restitution", [](double r) { return 0.9 * r; });
-    row("0.3 + 0.5 * restitution", [](double r) { return 0.3 + 0.5 * r; });
-    row("0.75", [](double) { return 0.75; });
-    row("0", [](double) { return 0.0; });
-    row("1", [](double) { return 1.0; });
-    row("-restitution", [](double r) { return -r; });
-    row("restitution", same, "restitution", same);
-    row("restitution", same, "-restitution", [](double r) { return -r; });
-    row("restitution", same, "0", [](double) { return 0.0; });
-    row("restitution", same, "-1", [](double) { return -1.0; });
-    row("restitution", same, "0.8", [](double) { return 0.8; });
-}
-
-/// At the e nearest to ½ of those with which it is wrong, so that laws of e are told apart.
-void TestToldHits::answerOfAWallIsTold()
-{
-    QFETCH(QString, back);
-    QFETCH(QString, along);
-    QFETCH(Law, backLaw);
-    QFETCH(Law, alongLaw);
-    const QString body = bodyOfWalls(
-        wallsOf(wallWays[1], "c.radius", back.toUtf8().constData(), along.toUtf8().constData()));
-    const auto n = numbersIn(body, "With e = #: Circle # came to the * with (#, #) m/s and left it "
-                                   "with (#, #) m/s; (#, #) m/s is right.");
-    QVERIFY2(n.size() == 8, qPrintable(body));
-    const bool isSide = body.contains(QLatin1String("t wall with"));
-    const auto parts = [&](std::size_t at) { // along the normal and the wall
-        return isSide ? Vec2{n[at], n[at + 1]} : Vec2{n[at + 1], n[at]};
-    };
-    const Vec2 came = parts(2);
-    QVERIFY(came.x != 0.0 && came.y != 0.0);
-    QVERIFY(isNear(parts(4).x, -backLaw(n[0]) * came.x));
-    QVERIFY(isNear(parts(4).y, alongLaw(n[0]) * came.y));
-    QVERIFY(isNear(parts(6).x, -n[0] * came.x));
-    QVERIFY(isNear(parts(6).y, came.y));
-    QVERIFY(n[1] == 1.0 || n[1] == 2.0);
-    double best = 1.0; // of 0, ¼, ½, ¾ and 1
-    for (const double r : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        if (!isNear(backLaw(r), r) || !isNear(alongLaw(r), 1.0))
-            best = std::min(best, std::abs(r - 0.5));
-    }
-    QCOMPARE(std::abs(n[0] - 0.5), best);
-}
-
-/// What comes back, where no law of e is named.
-void TestToldHits::shareOfAWallIsTold()
-{
-    const auto body = [&](const char *back, const char *headline) {
-        return bodyOfWalls(wallsOf(wallWays[1], "c.radius", back), text(headline));
-    };
-    auto n = numbersIn(body("0.3 + 0.5 * restitution",
-                            "The walls do not give both circles e times the speed back"),
-                       "With e = # it is # times the speed, with e = # # times.");
-    QCOMPARE(n.size(), std::size_t{4});
-    QVERIFY(n[0] != n[2]);
-    QVERIFY(isNear(n[1], 0.3 + 0.5 * n[0]) && isNear(n[3], 0.3 + 0.5 * n[2]));
-    QVERIFY(!body("0.9 * restitution", "The walls give both circles 0.9 e of the speed back, not e")
-                 .isEmpty());
-    n = numbersIn(body("0.75", "At the walls a number stands for e, for both circles"),
-                  "Whatever e is, # of the speed comes back.");
-    QCOMPARE(n, std::vector<double>{0.75});
-    n = numbersIn(body("1.7 / math.abs(v)", "The walls give both circles a speed of their own"),
-                  "However fast it comes, it leaves the wall with # m/s");
-    QCOMPARE(n, std::vector<double>{1.7});
-}
-
-void TestToldHits::reachOfAWallIsTold_data()
-{
-    QTest::addColumn<QString>("reach");
-    QTest::addColumn<double>("more"); // than the radius, m
-    QTest::newRow("too early") << "c.radius + 0.07" << 0.07;
-    QTest::newRow("too late") << "c.radius - 0.06" << -0.06;
-    QTest::newRow("past the wall") << "c.radius - 0.6" << -0.6;
-}
-
-/// Between two places as far apart as it goes in a step.
-void TestToldHits::reachOfAWallIsTold()
-{
-    QFETCH(QString, reach);
-    QFETCH(double, more);
-    const QString body = bodyOfWalls(wallsOf(wallWays[1], reach.toUtf8().constData()));
-    auto n = numbersIn(body, "The radius of circle # is # m, and at the * it turns when its centre "
-                             "is between # and # m from the wall.");
-    double sign = 1.0;
-    if (n.empty()) {
-        sign = -1.0;
-        n = numbersIn(body, "The radius of circle # is # m, and at the * it turns when its centre "
-                            "is between # and # m past the wall.");
-    }
-    QVERIFY2(n.size() == 4, qPrintable(body));
-    QCOMPARE(sign, more < -0.5 ? -1.0 : 1.0);
-    const double place = n[1] + more;
-    QVERIFY(sign * n[2] <= place + 1e-3 && place - 1e-3 <= sign * n[3]);
-    QVERIFY(std::abs(n[3] - n[2]) > 0.01 && std::abs(n[3] - n[2]) < 0.06); // 1.07 to 2.9 m/s
-}
-
-void TestToldHits::lengthForTheRadiusIsTold()
-{
-    const QString body = bodyOfWalls(wallsOf(wallWays[1], "2 * c.radius"));
-    const auto n = numbersIn(
-        body, "The radius of circle # is # m, and it turns when its centre is # m from the wall");
-    QVERIFY2(n.size() == 3, qPrintable(body));
-    QVERIFY(isNear(n[2], 2.0 * n[1]));
-}
-
-void TestToldHits::openWallsAreTold()
-{
-    const auto n =
-        numbersIn(bodyOfWalls({}, text("None of the four walls turns both circles round")),
-                  "Thrown at each of the four walls, # m/s fast, it goes on through them.");
-    QCOMPARE(n.size(), std::size_t{1});
-    QVERIFY(isNear(n[0], 2.9 * std::hypot(1.0, 0.37))); // beside the wall, too
-    const QString left = QStringLiteral("if c.position.x > -3 then ") + wallsOf(wallWays[1])
-                         + QStringLiteral(" end");
-    QVERIFY(!bodyOfWalls(left, text("Not every wall holds both circles: left wall")).isEmpty());
-}
 
 void TestToldHits::distanceOfAContactIsTold_data()
 {
@@ -288,9 +146,9 @@ void TestToldHits::reboundOfAHitIsTold()
     QFETCH(QString, given);
     QFETCH(QString, headline);
     QFETCH(Law, law);
-    const auto found = foundOfHit({.e = given});
+    const auto all = foundOfHit({.e = given});
     QString body;
-    for (const LawDeviation &each : found) {
+    for (const LawDeviation &each : all) {
         if (each.topic == Topic::Restitution)
             body = each.message;
     }
@@ -314,6 +172,45 @@ void TestToldHits::reboundOfAHitIsTold()
     QVERIFY2(isTold(5, left(law(n[0]))), qPrintable(body));
     QVERIFY2(isTold(9, left(n[0])), qPrintable(body));
     QVERIFY(std::abs(law(n[0]) - n[0]) > 0.1);
+}
+
+void TestToldHits::pushOnOneAloneIsTold_data()
+{
+    QTest::addColumn<QString>("one"); // whose mass each is pushed with
+    QTest::addColumn<QString>("two");
+    QTest::addColumn<int>("right");
+    QTest::newRow("circle 2 wrong") << "m1"
+                                    << "m1" << 1;
+    QTest::newRow("circle 1 wrong") << "m2"
+                                    << "m2" << 2;
+}
+
+/// With the mass of the other, which shows where that is another.
+void TestToldHits::pushOnOneAloneIsTold()
+{
+    QFETCH(QString, one);
+    QFETCH(QString, two);
+    QFETCH(int, right);
+    const HitLaw law{.e = e,
+                     .answer = QStringLiteral("local j = (1 + e) * closing / (1 / m1 + 1 / m2) "
+                                              "p.velocity = p.velocity - j / %1 * n "
+                                              "q.velocity = q.velocity + j / %2 * n")
+                                   .arg(one, two)};
+    const QString body =
+        bodyOf(foundOfHit(law), QStringLiteral("Where the masses differ, only circle %1 leaves as "
+                                               "it should")
+                                    .arg(right));
+    const auto n = numbersIn(
+        body, "circle 1 came with # along, # across, circle 2 with # along, # across; they left "
+              "with # along, # across and with # along, # across; right is # along, # across and "
+              "# along, # across.");
+    QVERIFY2(n.size() == 12, qPrintable(body));
+    // Elastic: they should part as fast as they came. The one that is right is told so.
+    QVERIFY(std::abs((n[10] - n[8]) - (n[0] - n[2])) < 0.02);
+    QCOMPARE(std::abs(n[4] - n[8]) < 0.02, right == 1);
+    QCOMPARE(std::abs(n[6] - n[10]) < 0.02, right == 2);
+    // The wrong one gets the push of the right one.
+    QVERIFY(std::abs((n[0] - n[4]) - (n[6] - n[2])) < 0.02);
 }
 
 QTEST_GUILESS_MAIN(TestToldHits)

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_words.h"
+
+#include "tests/told_numbers.h"
+
+#include <functional>
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::told;
+
+/// The numbers that findings on the walls of a program tell are those that its law makes.
+class TestToldWalls : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void answerOfAWallIsTold_data();
+    void answerOfAWallIsTold();
+    void shareOfAWallIsTold();
+    void reachOfAWallIsTold_data();
+    void reachOfAWallIsTold();
+    void lengthForTheRadiusIsTold();
+    void openWallsAreTold();
+    void oneSpeedIsNoneOfTheirOwn();
+
+private:
+    using Law = std::function<double(double)>; ///< of e
+
+    [[nodiscard]] QString bodyOfWalls(const QString &walls, const QString &headline = {},
+                                      const char *step = "L42T17") const
+    {
+        const LawBench bench(task(QLatin1String(step)));
+        const QString program = written({.walls = walls}, structures[0]);
+        const MeasuredLaws own(&program, bench.ground);
+        return bodyOf(wallDeviations(own.walls(), bench.right.walls(), bench.ground), headline);
+    }
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+} // namespace
+
+void TestToldWalls::answerOfAWallIsTold_data()
+{
+    QTest::addColumn<QString>("back");
+    QTest::addColumn<QString>("along");
+    QTest::addColumn<Law>("backLaw");
+    QTest::addColumn<Law>("alongLaw");
+    const auto row = [](
+                         const char *back, const Law &backLaw, const char *along = "1",
+                         const Law &alongLaw = [](double) { return 1.0; }) {
+        QTest::addRow("%s, %s", back, along) << text(back) << text(along) << backLaw << alongLaw;
+    };
+    const Law same = [](double r) { return r; };
+    row("restitution ^ 2", [](double r) { return r * r; });
+    row("math.sqrt(restitution)", [](double r) { return std::sqrt(r); });
+    row("1 - restitution", [](double r) { return 1.0 - r; });
+    row("1 + restitution", [](double r) { return 1.0 + r; });
+    row("0.9 * restitution", [](double r) { return 0.9 * r; });
+    row("0.3 + 0.5 * restitution", [](double r) { return 0.3 + 0.5 * r; });
+    row("0.75", [](double) { return 0.75; });
+    row("0", [](double) { return 0.0; });
+    row("1", [](double) { return 1.0; });
+    row("-restitution", [](double r) { return -r; });
+    row("restitution", same, "restitution", same);
+    row("restitution", same, "-restitution", [](double r) { return -r; });
+    row("restitution", same, "0", [](double) { return 0.0; });
+    row("restitution", same, "-1", [](double) { return -1.0; });
+    row("restitution", same, "0.8", [](double) { return 0.8; });
+}
+
+/// At the e nearest to ½ of those with which it is wrong, so that laws of e are told apart.
+void TestToldWalls::answerOfAWallIsTold()
+{
+    QFETCH(QString, back);
+    QFETCH(QString, along);
+    QFETCH(Law, backLaw);
+    QFETCH(Law, alongLaw);
+    const QString body = bodyOfWalls(
+        wallsOf(wallWays[1], "c.radius", back.toUtf8().constData(), along.toUtf8().constData()));
+    const auto n = numbersIn(body, "With e = #: Circle # came to the * with (#, #) m/s and left it "
+                                   "with (#, #) m/s; (#, #) m/s is right.");
+    QVERIFY2(n.size() == 8, qPrintable(body));
+    const bool isSide = body.contains(QLatin1String("t wall with"));
+    const auto parts = [&](std::size_t at) { // along the normal and the wall
+        return isSide ? Vec2{n[at], n[at + 1]} : Vec2{n[at + 1], n[at]};
+    };
+    const Vec2 came = parts(2);
+    QVERIFY(came.x != 0.0 && came.y != 0.0);
+    QVERIFY(isNear(parts(4).x, -backLaw(n[0]) * came.x));
+    QVERIFY(isNear(parts(4).y, alongLaw(n[0]) * came.y));
+    QVERIFY(isNear(parts(6).x, -n[0] * came.x));
+    QVERIFY(isNear(parts(6).y, came.y));
+    QVERIFY(n[1] == 1.0 || n[1] == 2.0);
+    double best = 1.0; // of 0, ¼, ½, ¾ and 1
+    for (const double r : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        if (!isNear(backLaw(r), r) || !isNear(alongLaw(r), 1.0))
+            best = std::min(best, std::abs(r - 0.5));
+    }
+    QCOMPARE(std::abs(n[0] - 0.5), best);
+}
+
+/// What comes back, where no law of e is named.
+void TestToldWalls::shareOfAWallIsTold()
+{
+    const auto body = [&](const char *back, const char *headline) {
+        return bodyOfWalls(wallsOf(wallWays[1], "c.radius", back), text(headline));
+    };
+    auto n = numbersIn(body("0.3 + 0.5 * restitution",
+                            "The walls do not give both circles e times the speed back"),
+                       "With e = # it is # times the speed, with e = # # times.");
+    QCOMPARE(n.size(), std::size_t{4});
+    QVERIFY(n[0] != n[2]);
+    QVERIFY(isNear(n[1], 0.3 + 0.5 * n[0]) && isNear(n[3], 0.3 + 0.5 * n[2]));
+    QVERIFY(!body("0.9 * restitution", "The walls give both circles 0.9 e of the speed back, not e")
+                 .isEmpty());
+    n = numbersIn(body("0.75", "At the walls a number stands for e, for both circles"),
+                  "Whatever e is, # of the speed comes back.");
+    QCOMPARE(n, std::vector<double>{0.75});
+    n = numbersIn(body("1.7 / math.abs(v)", "The walls give both circles a speed of their own"),
+                  "However fast it comes, it leaves the wall with # m/s");
+    QCOMPARE(n, std::vector<double>{1.7});
+}
+
+void TestToldWalls::reachOfAWallIsTold_data()
+{
+    QTest::addColumn<QString>("reach");
+    QTest::addColumn<double>("more"); // than the radius, m
+    QTest::newRow("too early") << "c.radius + 0.07" << 0.07;
+    QTest::newRow("too late") << "c.radius - 0.06" << -0.06;
+    QTest::newRow("past the wall") << "c.radius - 0.6" << -0.6;
+}
+
+/// Between two places as far apart as it goes in a step.
+void TestToldWalls::reachOfAWallIsTold()
+{
+    QFETCH(QString, reach);
+    QFETCH(double, more);
+    const QString body = bodyOfWalls(wallsOf(wallWays[1], reach.toUtf8().constData()));
+    auto n = numbersIn(body, "The radius of circle # is # m, and at the * it turns when its centre "
+                             "is between # and # m from the wall.");
+    double sign = 1.0;
+    if (n.empty()) {
+        sign = -1.0;
+        n = numbersIn(body, "The radius of circle # is # m, and at the * it turns when its centre "
+                            "is between # and # m past the wall.");
+    }
+    QVERIFY2(n.size() == 4, qPrintable(body));
+    QCOMPARE(sign, more < -0.5 ? -1.0 : 1.0);
+    const double place = n[1] + more;
+    QVERIFY(sign * n[2] <= place + 1e-3 && place - 1e-3 <= sign * n[3]);
+    QVERIFY(std::abs(n[3] - n[2]) > 0.01 && std::abs(n[3] - n[2]) < 0.06); // 1.07 to 2.9 m/s
+}
+
+void TestToldWalls::lengthForTheRadiusIsTold()
+{
+    const QString body = bodyOfWalls(wallsOf(wallWays[1], "2 * c.radius"));
+    const auto n = numbersIn(
+        body, "The radius of circle # is # m, and it turns when its centre is # m from the wall");
+    QVERIFY2(n.size() == 3, qPrintable(body));
+    QVERIFY(isNear(n[2], 2.0 * n[1]));
+}
+
+void TestToldWalls::openWallsAreTold()
+{
+    const auto n =
+        numbersIn(bodyOfWalls({}, text("None of the four walls turns both circles round")),
+                  "Thrown at each of the four walls, # m/s fast, it goes on through them.");
+    QCOMPARE(n.size(), std::size_t{1});
+    QVERIFY(isNear(n[0], 2.9 * std::hypot(1.0, 0.37))); // beside the wall, too
+    const QString left = QStringLiteral("if c.position.x > -3 then ") + wallsOf(wallWays[1])
+                         + QStringLiteral(" end");
+    QVERIFY(!bodyOfWalls(left, text("Not every wall holds both circles: left wall")).isEmpty());
+}
+
+/// Whoever comes fast is slowed down, and all that come fast come equally fast.
+void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
+{
+    const QString walls = wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 2 and 0.5 or 1)");
+    QVERIFY(
+        !bodyOfWalls(walls, text("The walls give both circles 0.5 times the speed back"), "L42T12")
+             .isEmpty());
+    QVERIFY(!bodyOfWalls(wallsOf(wallWays[1], "c.radius", "1.7 / math.abs(v)"),
+                         text("The walls give both circles a speed of their own"), "L42T12")
+                 .isEmpty());
+}
+
+QTEST_GUILESS_MAIN(TestToldWalls)
+#include "test_told_walls.moc"
