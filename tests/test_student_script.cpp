@@ -29,6 +29,7 @@ private slots:
     void sceneOfTheWorldIsFixedWhileItRuns_data();
     void sceneOfTheWorldIsFixedWhileItRuns();
     void ownFieldsStayFromStepToStep();
+    void tooManyOwnFieldsAreNotShown();
     void beginStartsAnew();
     void timeAndStepCount();
     void sameProgramGivesTheSameBits();
@@ -156,6 +157,28 @@ function on_update() circle1.count = circle1.count + 1 end)lua");
         QVERIFY(!program.advance(world, 0.1));
     const std::vector<CircleField> fields{{0, lua("count"), 3.0}, {1, lua("mass"), 2.5}};
     QCOMPARE(program.ownFields(), fields);
+}
+
+/// Of more than a hundred none is, and those of the other circles are.
+void TestStudentScript::tooManyOwnFieldsAreNotShown()
+{
+    for (const auto &[first, second] :
+         {std::pair(100, 100), std::pair(101, 100), std::pair(100, 101), std::pair(3, 200)}) {
+        const QString source = lua("function on_load() for i = 1, %1 do circle1['a' .. i] = i end "
+                                   "for i = 1, %2 do circle2['b' .. i] = i end end")
+                                   .arg(first)
+                                   .arg(second);
+        StudentScript program(source);
+        Preset scene = twoCircles();
+        QVERIFY(!program.begin(scene));
+        const std::vector<CircleField> fields = program.ownFields();
+        const auto of = [&](int circle) {
+            return std::count_if(fields.begin(), fields.end(),
+                                 [&](const CircleField &field) { return field.circle == circle; });
+        };
+        QCOMPARE(of(0), first > 100 ? 0 : first);
+        QCOMPARE(of(1), second > 100 ? 0 : second);
+    }
 }
 
 void TestStudentScript::beginStartsAnew()
