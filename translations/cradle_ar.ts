@@ -1010,7 +1010,7 @@
     </message>
     <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
-        <translation>برنامجك هو الذي يحرّك الدوائر: اترك on_update، فتحرّكها قوانين المشهد</translation>
+        <translation>برنامجك هو الذي يحرّك الدوائر: احذف on_update، فتحرّكها قوانين المشهد</translation>
     </message>
     <message>
         <source>What the step fixes is as the step has it</source>
@@ -1367,7 +1367,7 @@
     </message>
     <message>
         <source>unexpected argument %1; see %2 --help</source>
-        <translation>معامل غير متوقع ⁨%1⁩؛ انظر ⁦%2 --help⁩</translation>
+        <translation>وسيط غير متوقع ⁨%1⁩؛ انظر ⁦%2 --help⁩</translation>
     </message>
     <message>
         <source>--out RESULTS is missing: where are the results to go?</source>
@@ -1483,7 +1483,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>an argument is missing; see %1 --help</source>
-        <translation>معامل ناقص؛ انظر ⁦%1 --help⁩</translation>
+        <translation>وسيط ناقص؛ انظر ⁦%1 --help⁩</translation>
     </message>
     <message>
         <source>      passes every check
@@ -1611,7 +1611,7 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
     <message>
         <source>Writes a lab into one file. For students it leaves out solutions, mistakes, remarks and files that no step uses; what checks and questions ask for stays.</source>
-        <translation>يكتب مختبرًا في ملف واحد. للطلاب يترك الحلول والأخطاء والملاحظات والملفات التي لا تستعملها أي مرحلة؛ ويبقى ما تطلبه الفحوص والأسئلة.</translation>
+        <translation>يكتب مختبرًا في ملف واحد. للطلاب يُسقط الحلول والأخطاء والتعقيبات والملفات التي لا تستعملها أي مرحلة؛ ويبقى ما تطلبه الفحوص والأسئلة.</translation>
     </message>
     <message>
         <source>leave out what students shall find</source>
@@ -2277,7 +2277,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
-        <translation>الموضع الجديد لـ %who لا يتوقف على القديم</translation>
+        <translation>موضع %who الجديد لا يتوقف على القديم</translation>
     </message>
     <message>
         <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
@@ -2285,7 +2285,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The old place of %who is multiplied, too</source>
-        <translation>الموضع القديم لـ %who يُضرب أيضًا</translation>
+        <translation>موضع %who القديم يُضرب أيضًا</translation>
     </message>
     <message>
         <source>Two that start 1 m apart, at rest, are %1 m apart one step of %2 s later. The old position is kept as it is; the way v Δt is added to it: look at the brackets.</source>
@@ -3154,7 +3154,7 @@ Look at what `on_load` sets, and for which circle.</source>
     </message>
     <message>
         <source>Not every wall holds %who: %1</source>
-        <translation>هناك جدار لا يوقف %who: ⁨%1⁩</translation>
+        <translation>بعض الجدران لا يوقف %who: ⁨%1⁩</translation>
     </message>
     <message>
         <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
@@ -3254,7 +3254,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>أيًّا كانت السرعة نفسها، تصبح بعد خطوة سرعةَ الدائرة ⁨%1⁩ وما تضيفه الجاذبية: من ⁦%2 m/s⁩ في البداية تصير ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
+        <translation>أيًّا كانت سرعتها هي، تصير بعد خطوة واحدة سرعةَ الدائرة ⁨%1⁩ وما تضيفه الجاذبية: من ⁦%2 m/s⁩ في البداية إلى ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
     </message>
     <message>
         <source>Away from every wall a low speed of %who is taken away</source>
@@ -3414,7 +3414,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>هناك تستجيب الدائرة 2 كأن كتلتها ⁨%1⁩ مرة كتلة الدائرة 1؛ وبحسب ما يفعله برنامجك في المشاهد الأخرى تكون ⁨%2⁩ مرة. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
+        <translation>هناك تستجيب الدائرة 2 كأن كتلتها تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ وبحسب ما يفعله برنامجك في المشاهد الأخرى يكون العامل ⁨%2⁩. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
     </message>
     <message>
         <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
@@ -3446,7 +3446,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
-        <translation>هكذا هو عند بدء التشغيل؛ وفي هذه الخطوة لمشهدك ⁦e = %1⁩. انظر إلى ما يعطيه ⁦`on_load`⁩ لـ⁦`restitution`⁩.</translation>
+        <translation>هكذا هو عند بدء التشغيل؛ وفي هذه المرحلة لمشهدك ⁦e = %1⁩. انظر ماذا تعطي ⁦`on_load`⁩ لـ ⁦`restitution`⁩.</translation>
     </message>
     <message>
         <source>twice the smaller radius</source>
@@ -3454,11 +3454,11 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Slow hits at the walls do not turn %who round</source>
-        <translation>التصادمات البطيئة بالجدران لا تعكس %who</translation>
+        <translation>التصادمات البطيئة بالجدران لا تردّ %who</translation>
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
-        <translation>جاءت الدائرة ⁨%1⁩ بسرعة ⁦%3 m/s⁩ (⁨%2⁩) ومضت إلى ما بعده؛ وبسرعة ⁦%4 m/s⁩ تُعكس. لا تهمّ سرعة مجيئها: المهم هل تجاوزت حافتها الجدار، وإلى أين تتحرك.</translation>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ ومضت إلى الخارج؛ وبسرعة ⁦%4 m/s⁩ تُردّ. لا تهمّ سرعة مجيئها: المهم هل تجاوزت حافتها الجدار، وإلى أين تتحرك.</translation>
     </message>
     <message>
         <source>Slow hits at the walls give %who another share of the speed back</source>
@@ -3466,7 +3466,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
-        <translation>مع ⁦e = %1⁩ جاءت الدائرة ⁨%2⁩ بسرعة ⁦%4 m/s⁩ (⁨%3⁩) وغادرت بهذه السرعة مضروبةً في ⁨%5⁩؛ والصحيح ⁨%6⁩. العامل واحد لكل سرعة.</translation>
+        <translation>مع ⁦e = %1⁩ جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ بسرعة ⁦%4 m/s⁩ وغادرت بهذه السرعة مضروبةً في ⁨%5⁩؛ الصواب ⁨%6⁩. العامل واحد لكل سرعة.</translation>
     </message>
     <message>
         <source>Hits come out right only where circle 2 is to the right of circle 1</source>
@@ -3494,7 +3494,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Started with %1 m/s, one step later it is %2 m from where it was at the start of a run, and %3 m where it starts alike %4 s later. A step *adds* a way to the old position.</source>
-        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ كانت بعد خطوة واحدة على بُعد ⁦%2 m⁩ من مكانها في بداية التشغيل، وعلى بُعد ⁦%3 m⁩ إذا انطلقت مثلها بعد ⁦%4 s⁩. الخطوة *تضيف* إزاحة إلى الموضع القديم.</translation>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ كانت بعد خطوة واحدة على بُعد ⁦%2 m⁩ من مكانها في بداية التشغيل، وعلى بُعد ⁦%3 m⁩ إذا انطلقت مثلها بعد ⁦%4 s⁩. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
     </message>
     <message>
         <source> (only in y)</source>
@@ -3526,19 +3526,19 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Where the masses differ, the total momentum is not kept</source>
-        <translation>عندما تختلف الكتلتان لا يُحفَظ الزخم الكلي</translation>
+        <translation>عندما تختلف الكتلتان لا تُحفَظ كمية الحركة الكلية</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e is. One push changes both: look at what the two formulas have in common.</source>
-        <translation>مع ⁦ρ₁ = %1⁩ و⁦ρ₂ = %2⁩ كان تغيّر v₁ يساوي ⁦%3⁩ مرة من تغيّر v₂ عندما ⁦e = %4⁩، و⁦%5⁩ مرة عندما ⁦e = %6⁩؛ والصحيح ⁦m₂/m₁ = %7⁩ مهما كانت e. دفعة واحدة تغيّر الاثنتين: انظر إلى ما تشترك فيه الصيغتان.</translation>
+        <translation>مع ⁦ρ₁ = %1⁩ و⁦ρ₂ = %2⁩ كان تغير v₁ يساوي تغير v₂ مضروبًا في ⁨%3⁩ عندما ⁦e = %4⁩، ومضروبًا في ⁨%5⁩ عندما ⁦e = %6⁩؛ الصواب ⁦m₂/m₁ = %7⁩ مهما كان e. دفع واحد يغيّر السرعتين: انظر إلى ما تشترك فيه الصيغتان.</translation>
     </message>
     <message>
         <source>e acts only after the first hit</source>
-        <translation>لا تعمل e إلا بعد التصادم الأول</translation>
+        <translation>لا يؤثر e إلا بعد التصادم الأول</translation>
     </message>
     <message>
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
-        <translation>مع ⁦e = %1⁩ افترقت دائرتان بسرعة تساوي ⁦%2⁩ مرة من سرعة التقائهما؛ وفي تصادمهما الثاني، بعد العودة من جدار، كانت ⁦%3⁩ مرة. انظر متى تعرف استجابتك قيمة e: ذلك يأتي متأخرًا.</translation>
+        <translation>مع ⁦e = %1⁩ افترقت دائرتان بسرعة لقائهما مضروبةً في ⁨%2⁩؛ وفي تصادمهما الثاني، بعد العودة من جدار، مضروبةً في ⁨%3⁩. انظر متى تعرف استجابتك قيمة e: ذلك يأتي متأخرًا.</translation>
     </message>
     <message>
         <source>The walls turn %who round a whole second too early</source>
@@ -3546,7 +3546,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
-        <translation>جاءت الدائرة ⁦%1⁩ إلى ⁦%2⁩ بسرعة ⁦%3 m/s⁩ وانعكست حين كانت حافتها على بُعد بين ⁦%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁦%7⁩ و⁦%8 m⁩. هذه إزاحة ثانية كاملة: الخطوة تنقلها ⁦v Δt⁩ لا v.</translation>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدت حين كانت حافتها على بعد بين ⁨%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁨%7⁩ و⁦%8 m⁩. هذه مسافة ثانية كاملة: الخطوة تنقلها ⁦v Δt⁩ لا v.</translation>
     </message>
 </context>
 <context>
@@ -5194,7 +5194,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The arguments from number n on; with &apos;#&apos; how many there are</source>
-        <translation>المعاملات من الرقم n فصاعدًا؛ ومع &apos;#&apos; عددها</translation>
+        <translation>الوسائط من الرقم n فصاعدًا؛ ومع '#' عددها</translation>
     </message>
     <message>
         <source>What a value is, as a text: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</source>
@@ -5382,7 +5382,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>From 0 up to 1, or a whole number from m to n; the same in every run</source>
-        <translation>من 0 حتى 1، أو عدد صحيح من m إلى n؛ واحد في كل تشغيل</translation>
+        <translation>من 0 إلى ما دون 1، أو عدد صحيح من m إلى n؛ واحد في كل تشغيل</translation>
     </message>
     <message>
         <source>Begins another row of random numbers</source>
@@ -5513,7 +5513,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
-        <translation>‏cradle: معامل غير متوقع ⁨%1⁩؛ الصواب مختبر واحد أو مشهد واحد</translation>
+        <translation>‏cradle: وسيط غير متوقع ⁨%1⁩؛ الصواب مختبر واحد أو مشهد واحد</translation>
     </message>
     <message>
         <source>cradle: --language %1: one of %2 is right</source>
@@ -5748,7 +5748,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
-        <translation>تتحرك الرؤية معه: في إطاره مجموع كميات حركة كل الدوائر صفر</translation>
+        <translation>تتحرك الرؤية معه: في إطاره المرجعي مجموع كميات حركة كل الدوائر صفر</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
@@ -5912,7 +5912,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The heavier a circle, the lower its tone; the greater the impulse, the louder</source>
-        <translation>كلما كانت الدائرة أثقل كان صوتها أخفض؛ وكلما كبر الدفع علا الصوت</translation>
+        <translation>كلما كانت الدائرة أثقل كانت نغمتها أغلظ؛ وكلما كبر الدفع علا الصوت</translation>
     </message>
 </context>
 <context>
@@ -6378,7 +6378,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>for the teacher to read, who may give up to %1 points: %2</source>
-        <translation>يقرؤه المدرّس، وله أن يعطي حتى ⁨%1⁩ نقطة: ⁨%2⁩</translation>
+        <translation>يقرؤه المدرّس، وله أن يعطي من النقاط حتى ⁨%1⁩: ⁨%2⁩</translation>
     </message>
     <message>
         <source>a list of two to eight answers is right</source>
@@ -7162,15 +7162,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (%3 expected, got %4)</source>
-        <translation>معامل خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (المتوقع ⁨%3⁩، والموجود ⁨%4⁩)</translation>
+        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة '⁨%2⁩' (المتوقع ⁨%3⁩، والموجود ⁨%4⁩)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (number has no integer representation)</source>
-        <translation>معامل خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (لا يمكن تمثيل العدد عددًا صحيحًا)</translation>
+        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة '⁨%2⁩' (لا يمكن تمثيل العدد عددًا صحيحًا)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (out of range)</source>
-        <translation>معامل خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (خارج المجال)</translation>
+        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة '⁨%2⁩' (خارج المجال)</translation>
     </message>
     <message>
         <source>number has no integer representation</source>
@@ -7439,7 +7439,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>the program has %1 letters; at most %2 are right</source>
-        <translation>في البرنامج ⁨%1⁩ حرفًا؛ الصواب ⁨%2⁩ على الأكثر</translation>
+        <translation>عدد حروف البرنامج ⁨%1⁩؛ الصواب ⁨%2⁩ على الأكثر</translation>
     </message>
     <message>
         <source>there is no memory to run a program</source>
@@ -8036,7 +8036,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
-        <translation>انتهى Cradle دون حفظ هذا المختبر. عادت تغييراتك التي في ⁨%1⁩؛ ولم تُحفظ بعد.</translation>
+        <translation>انتهى Cradle دون حفظ هذا المختبر. عادت تغييراتك بتاريخ ⁨%1⁩؛ ولم تُحفظ بعد.</translation>
     </message>
     <message>
         <source>Cradle ended before a new lab was saved for the first time.</source>
@@ -9562,7 +9562,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Drag free of the grid</source>
-        <translation>السحب بعيدًا عن الشبكة</translation>
+        <translation>السحب دون التقيد بالشبكة</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -9582,7 +9582,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Move along</source>
-        <translation>تحريك النافذة المعروضة</translation>
+        <translation>تحريك الجزء المعروض</translation>
     </message>
     <message>
         <source>drag with the middle button</source>
@@ -9590,7 +9590,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Reset the zoom</source>
-        <translation>إعادة ضبط التكبير</translation>
+        <translation>إعادة التكبير الأصلي</translation>
     </message>
     <message>
         <source>double click</source>
@@ -9598,7 +9598,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>In a chart</source>
-        <translation>في رسم بياني</translation>
+        <translation>في مخطط</translation>
     </message>
     <message>
         <source>Take a drag back</source>

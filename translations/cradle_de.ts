@@ -17,11 +17,11 @@
     </message>
     <message>
         <source>%1 circles are too many: at most %2 are right</source>
-        <translation>%1 Kreise sind zu viele: höchstens %2 sind richtig</translation>
+        <translation>%1 Kreise sind zu viele: Richtig sind höchstens %2</translation>
     </message>
     <message>
         <source>They do not fit into the square: fewer or smaller ones are right</source>
-        <translation>Sie passen nicht in das Quadrat: weniger oder kleinere sind richtig</translation>
+        <translation>Sie passen nicht in das Quadrat: Richtig sind weniger oder kleinere</translation>
     </message>
 </context>
 <context>
@@ -64,7 +64,7 @@
     </message>
     <message>
         <source>Open as a s&amp;tudent</source>
-        <translation>Als S&amp;tudent öffnen</translation>
+        <translation>Wie S&amp;tudierende öffnen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -186,11 +186,11 @@
     </message>
     <message>
         <source>Save the chart</source>
-        <translation>Diagramm sichern</translation>
+        <translation>Diagramm speichern</translation>
     </message>
     <message>
         <source>Save the numbers of the chart</source>
-        <translation>Zahlen des Diagramms sichern</translation>
+        <translation>Zahlen des Diagramms speichern</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -202,15 +202,15 @@
     </message>
     <message>
         <source>Picture as PN&amp;G…</source>
-        <translation>Bild als PN&amp;G …</translation>
+        <translation>Bild als PN&amp;G…</translation>
     </message>
     <message>
         <source>Picture as &amp;SVG…</source>
-        <translation>Bild als &amp;SVG …</translation>
+        <translation>Bild als &amp;SVG…</translation>
     </message>
     <message>
         <source>&amp;Numbers as CSV…</source>
-        <translation>Zahlen als &amp;CSV …</translation>
+        <translation>Zahlen als &amp;CSV…</translation>
     </message>
     <message>
         <source>the name ends in .%1, but this is a .%2 file; choose another name</source>
@@ -385,7 +385,7 @@
     </message>
     <message>
         <source>After the n-th bounce it rises to e²ⁿ times the height it came from</source>
-        <translation>Nach dem n-ten Aufprall steigt er auf das e²ⁿ-fache der Ausgangshöhe</translation>
+        <translation>Nach dem n-ten Aufprall steigt er auf das e²ⁿ-Fache der Ausgangshöhe</translation>
     </message>
     <message>
         <source>Bounces</source>
@@ -425,11 +425,11 @@
     </message>
     <message>
         <source>Part with e times the speed</source>
-        <translation>Trennen sich mit e-facher Geschwindigkeit</translation>
+        <translation>Trennen sich mit dem e-Fachen des Tempos</translation>
     </message>
     <message>
         <source>In every hit of circles 1 and 2 their relative speed along the line of centres becomes e times what it was</source>
-        <translation>Bei jedem Stoß der Kreise 1 und 2 wird ihre relative Geschwindigkeit längs der Verbindungslinie das e-fache</translation>
+        <translation>Bei jedem Stoß der Kreise 1 und 2 wird ihre relative Geschwindigkeit längs der Verbindungslinie der Mittelpunkte das e-Fache</translation>
     </message>
     <message>
         <source>Keep momentum and energy</source>
@@ -437,11 +437,11 @@
     </message>
     <message>
         <source>Every hit of circles 1 and 2 keeps the momentum and, if asked, the kinetic energy</source>
-        <translation>Jeder Stoß der Kreise 1 und 2 erhält den Impuls und, wenn verlangt, die Bewegungsenergie</translation>
+        <translation>Jeder Stoß der Kreise 1 und 2 erhält den Impuls und, wenn verlangt, die kinetische Energie</translation>
     </message>
     <message>
         <source>Kinetic energy, too</source>
-        <translation>Auch die Bewegungsenergie</translation>
+        <translation>Auch die kinetische Energie</translation>
     </message>
     <message>
         <source>Else only the momentum is looked at</source>
@@ -469,7 +469,7 @@
     </message>
     <message>
         <source>The first hit of circles 1 and 2 takes kinetic energy</source>
-        <translation>Der erste Stoß der Kreise 1 und 2 nimmt Bewegungsenergie</translation>
+        <translation>Der erste Stoß der Kreise 1 und 2 nimmt kinetische Energie</translation>
     </message>
     <message>
         <source>Pass through each other</source>
@@ -695,7 +695,7 @@
     </message>
     <message>
         <source>Drops</source>
-        <translation>Fälle</translation>
+        <translation>Fallversuche</translation>
     </message>
     <message>
         <source>Angles</source>
@@ -830,7 +830,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m</source>
-        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; nach %4 sind es %5 m</translation>
+        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m; mit dem Verfahren %4 sind es %5 m</translation>
     </message>
     <message>
         <source> or </source>
@@ -926,7 +926,7 @@
     </message>
     <message>
         <source>not judged: the program stopped with an error</source>
-        <translation>nicht geprüft: Das Programm hielt mit einem Fehler an</translation>
+        <translation>nicht geprüft: Das Programm brach mit einem Fehler ab</translation>
     </message>
     <message>
         <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
@@ -954,7 +954,7 @@
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
-        <translation>In Schritt %1 trafen sich die Kreise längs der Verbindungslinie mit %2 m/s und trennten sich mit %3 m/s; das e-fache ist mit e = %4 %5 m/s</translation>
+        <translation>In Schritt %1 trafen sich die Kreise längs der Verbindungslinie der Mittelpunkte mit %2 m/s und trennten sich mit %3 m/s; das e-Fache ist mit e = %4 %5 m/s</translation>
     </message>
     <message>
         <source>At %1 s circle %2 is at %3 m; %4 m is right</source>
@@ -978,7 +978,7 @@
     </message>
     <message>
         <source>stopped by the machine: the check took more than %1 s. This is no verdict on the program</source>
-        <translation>vom Rechner abgebrochen: die Prüfung dauerte mehr als %1 s. Das ist kein Urteil über das Programm</translation>
+        <translation>vom Rechner abgebrochen: Die Prüfung dauerte mehr als %1 s. Das ist kein Urteil über das Programm</translation>
     </message>
     <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
@@ -1010,7 +1010,7 @@
     </message>
     <message>
         <source>Nothing moves the circles: write on_update</source>
-        <translation>Nichts bewegt die Kreise: Schreibe on_update</translation>
+        <translation>Nichts bewegt die Kreise: Schreib on_update</translation>
     </message>
     <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
@@ -1211,7 +1211,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Judges a program, or with --preset alone the engine&apos;s laws, for one step: by what they do. A program that does not load or that stops does not pass; why is also on standard error, as FILE:LINE: message.</source>
-        <translation>Prüft ein Programm, oder mit --preset allein die Gesetze der Engine, für einen Schritt: danach, was sie tun. Ein Programm, das sich nicht laden lässt oder das anhält, besteht nicht; warum, steht auch in der Fehlerausgabe, als DATEI:ZEILE: Meldung.</translation>
+        <translation>Prüft ein Programm, oder mit --preset allein die Gesetze der Engine, für einen Schritt: danach, was sie tun. Ein Programm, das sich nicht laden lässt oder das abbricht, besteht nicht; warum, steht auch in der Fehlerausgabe, als DATEI:ZEILE: Meldung.</translation>
     </message>
     <message>
         <source>the scene; without it that of the step</source>
@@ -1303,7 +1303,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Writes a student&apos;s work into one file to be handed in: the programs, scenes, notes, the history and a report. Every step is judged once more.</source>
-        <translation>Schreibt die Arbeit in eine Datei zum Abgeben: die Programme, Szenen, Notizen, die Geschichte und einen Bericht. Jeder Schritt wird noch einmal geprüft.</translation>
+        <translation>Schreibt die Arbeit in eine Datei zum Abgeben: die Programme, Szenen, Notizen, den Verlauf und einen Bericht. Jeder Schritt wird noch einmal geprüft.</translation>
     </message>
     <message>
         <source>the folder</source>
@@ -1343,7 +1343,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>a secret was made for the scenes of this class: %1; keep it, and publish it to nobody</source>
-        <translation>für die Szenen dieser Klasse wurde ein Geheimnis gemacht: %1; bewahre es auf und gib es niemandem</translation>
+        <translation>für die Szenen dieses Kurses wurde ein Geheimnis gemacht: %1; bewahre es auf und gib es niemandem</translation>
     </message>
     <message>
         <source>the lab</source>
@@ -1355,7 +1355,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>--require-isolation: this machine has only: %1</source>
-        <translation>--require-isolation: dieser Rechner hat nur: %1</translation>
+        <translation>--require-isolation: Dieser Rechner hat nur: %1</translation>
     </message>
     <message>
         <source>%1 holds results of another version (%2); another folder is right, or --again to begin anew</source>
@@ -1427,7 +1427,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>who is in the class: a table with columns id, folder, name, number, email, late days</source>
-        <translation>wer in der Klasse ist: eine Tabelle mit den Spalten id, folder, name, number, email, late days</translation>
+        <translation>wer im Kurs ist: eine Tabelle mit den Spalten id, folder, name, number, email, late days</translation>
     </message>
     <message>
         <source>what each late day takes of the points; 0 without it</source>
@@ -1439,7 +1439,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>judge part I of N of the class, for --merge</source>
-        <translation>Teil I von N der Klasse beurteilen, für --merge</translation>
+        <translation>Teil I von N des Kurses beurteilen, für --merge</translation>
     </message>
     <message>
         <source>judge nothing; put together the results of shards, each a folder</source>
@@ -1463,11 +1463,11 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>--jobs %1: a number from 1 to %2 is right</source>
-        <translation>--jobs %1: richtig ist eine Zahl von 1 bis %2</translation>
+        <translation>--jobs %1: Richtig ist eine Zahl von 1 bis %2</translation>
     </message>
     <message>
         <source>--shard %1: I/N is right, with I from 1 to N</source>
-        <translation>--shard %1: richtig ist I/N, mit I von 1 bis N</translation>
+        <translation>--shard %1: Richtig ist I/N, mit I von 1 bis N</translation>
     </message>
     <message>
         <source>--shard needs --secret FILE, the same for every shard</source>
@@ -1479,7 +1479,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Judges a class: every step of every student, each in a process of its own that can do nothing else. SUBMISSIONS is a folder of folders or of .cradle-work files, a download of Moodle, Canvas or Blackboard, clones of GitHub Classroom, or a zip of any of these; nothing in it is written. Stopped at any time it goes on where it was. Exit status: 1 if not all passed.</source>
-        <translation>Beurteilt eine Klasse: jeden Schritt aller Studierenden, jeden in einem eigenen Prozess, der nichts anderes kann. SUBMISSIONS ist ein Ordner aus Ordnern oder .cradle-work-Dateien, ein Download von Moodle, Canvas oder Blackboard, Klone von GitHub Classroom oder ein Zip von alledem; nichts darin wird geschrieben. Jederzeit angehalten geht es dort weiter, wo es war. Endstatus: 1, wenn nicht alle bestanden haben.</translation>
+        <translation>Beurteilt einen Kurs: jeden Schritt aller Studierenden, jeden in einem eigenen Prozess, der nichts anderes kann. SUBMISSIONS ist ein Ordner aus Ordnern oder .cradle-work-Dateien, ein Download von Moodle, Canvas oder Blackboard, Klone von GitHub Classroom oder ein Zip von alledem; nichts darin wird geschrieben. Jederzeit angehalten geht es dort weiter, wo es war. Endstatus: 1, wenn nicht alle bestanden haben.</translation>
     </message>
     <message>
         <source>what was handed in; with --merge: results</source>
@@ -1487,7 +1487,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>--out RESULTS is missing: where are the results to go?</source>
-        <translation>--out ERGEBNISSE fehlt: wohin sollen die Ergebnisse?</translation>
+        <translation>--out ERGEBNISSE fehlt: Wohin sollen die Ergebnisse?</translation>
     </message>
     <message>
         <source>there is no verdict; of the process that judged: %1</source>
@@ -1515,7 +1515,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>keep mistakes and remarks as differences from their solution where that is shorter</source>
-        <translation>bewahrt Fehler und Bemerkungen als Unterschiede zur Lösung auf, wo das kürzer ist</translation>
+        <translation>bewahrt Fehler und Anmerkungen als Unterschiede zur Lösung auf, wo das kürzer ist</translation>
     </message>
     <message>
         <source>also ask of every check whether some change of the solution fails by it alone; takes minutes</source>
@@ -1555,7 +1555,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>number of the student for whom the lab draws its values</source>
-        <translation>Nummer der Person, für die das Praktikum seine Werte zieht</translation>
+        <translation>Nummer der Person, für die das Lab seine Werte zieht</translation>
     </message>
     <message>
         <source>the language</source>
@@ -1571,7 +1571,7 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>Runs a scene, by its laws or by a program, and writes what happens: tables, or without any a summary. If the program stops, why is on standard error as FILE:LINE: message, the tables reach up to there, and the exit status is 1. Ctrl+C ends the run: what is written reaches up to there, and the exit status is 130.</source>
-        <translation>Lässt eine Szene laufen, nach ihren Gesetzen oder mit einem Programm, und schreibt, was geschieht: Tabellen, oder ohne sie eine Zusammenfassung. Hält das Programm an, so steht in der Fehlerausgabe, warum, als DATEI:ZEILE: Meldung; die Tabellen reichen bis dorthin, und der Rückgabewert ist 1. Strg+C beendet den Lauf: Was geschrieben wird, reicht bis dorthin, und der Rückgabewert ist 130.</translation>
+        <translation>Lässt eine Szene laufen, nach ihren Gesetzen oder mit einem Programm, und schreibt, was geschieht: Tabellen, oder ohne sie eine Zusammenfassung. Bricht das Programm ab, so steht in der Fehlerausgabe, warum, als DATEI:ZEILE: Meldung; die Tabellen reichen bis dorthin, und der Rückgabewert ist 1. Strg+C beendet den Lauf: Was geschrieben wird, reicht bis dorthin, und der Rückgabewert ist 130.</translation>
     </message>
     <message>
         <source>stopped at %1 s</source>
@@ -1626,11 +1626,11 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
     <message>
         <source>students are told what checks saw, and not which law is wrong, in %1: these checks tell no law</source>
-        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist: diese Prüfungen nennen keines</translation>
+        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist: Diese Prüfungen nennen keines</translation>
     </message>
     <message>
         <source>this is an edition for students, without the solutions and mistakes that prove a lab; the whole lab is right</source>
-        <translation>dies ist eine Ausgabe für Studierende, ohne die Lösungen und Fehler, die ein Lab beweisen; richtig ist das ganze Lab</translation>
+        <translation>dies ist eine Ausgabe für Studierende, ohne die Lösungen und Fehler, mit denen ein Lab nachgewiesen wird; richtig ist das ganze Lab</translation>
     </message>
     <message>
         <source>there is nothing of that name; the name of something new must be UTF-8</source>
@@ -1736,7 +1736,7 @@ No hit is aimed at anything, yet within a second or two the speeds spread until 
 - Go back on the timeline: the curve is the same all the time, as it depends on the mean energy alone.
 - Set the restitution to 0.99: the gas cools, and the curve moves to the left.
 - The colours say which half a circle comes from. They mix much more slowly than the speeds.</source>
-        <translation>Tausend gleiche Kreise starten mit demselben Tempo, 2 m/s, in alle Richtungen. Drücke Starten und sieh unten rechts das Tempo an.
+        <translation>Tausend gleiche Kreise starten mit demselben Tempo, 2 m/s, in alle Richtungen. Drücke „Starten“ und sieh unten rechts das Tempo an.
 
 Kein Stoß zielt auf etwas, und doch verteilt sich das Tempo in ein, zwei Sekunden so, dass es auf einer Kurve liegt, der von Maxwell und Boltzmann. Energie geht keine verloren: Nur wie die Kreise sie teilen, ändert sich.
 
@@ -1763,7 +1763,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
 
 - Go back on the timeline to the blows, and step through them with → and ←.
 - Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
-        <translation>Ein schwerer Kreis fällt auf ein Bett aus 124 leichten, von denen jeder ein Sechstausendstel seiner Masse hat. Drücke Starten und sieh die Energie an.
+        <translation>Ein schwerer Kreis fällt auf ein Bett aus 124 leichten, von denen jeder ein Sechstausendstel seiner Masse hat. Drücke „Starten“ und sieh die Energie an.
 
 Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu. Und doch geht hier in weniger als einer Zehntelsekunde ein Fünftel aller Energie, das meiste auf zwei Schläge, bei 0.94 s und 0.99 s: Leichte Kreise, die zwischen dem schweren und dem Boden gefangen sind, werden immer schneller hin und her gestoßen, hunderte Male in einer Hundertstelsekunde. So beginnt ein inelastischer Kollaps.
 
@@ -2281,15 +2281,15 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     </message>
     <message>
         <source>The motion of %who is no known method</source>
-        <translation>Für %who ist die Bewegung kein bekanntes Verfahren</translation>
+        <translation>Für %who folgt die Bewegung keinem bekannten Verfahren</translation>
     </message>
     <message>
         <source>The motion of %who is %1, not %2</source>
-        <translation>Für %who ist das Verfahren: %1, nicht %2</translation>
+        <translation>Falsches Verfahren für %who: %1, nicht %2</translation>
     </message>
     <message>
         <source>The motion of %who is no known method; %1 is asked for</source>
-        <translation>Für %who ist die Bewegung kein bekanntes Verfahren; verlangt ist: %1</translation>
+        <translation>Für %who folgt die Bewegung keinem bekannten Verfahren; verlangt ist: %1</translation>
     </message>
     <message>
         <source>Euler</source>
@@ -2373,11 +2373,11 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>e belongs to the rebound along the line of centres alone; the total momentum stays.</source>
-        <translation>e gehört allein zum Rückprall längs der Linie der Mittelpunkte; der Gesamtimpuls bleibt.</translation>
+        <translation>e gehört allein zum Rückprall längs der Verbindungslinie der Mittelpunkte; der Gesamtimpuls bleibt.</translation>
     </message>
     <message>
         <source>e also shortens the parts across the line of centres</source>
-        <translation>e verkürzt auch die Anteile quer zur Linie der Mittelpunkte</translation>
+        <translation>e verkürzt auch die Anteile quer zur Verbindungslinie der Mittelpunkte</translation>
     </message>
     <message>
         <source>Nothing pushes there: they stay as they were.</source>
@@ -2409,11 +2409,11 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The push is multiplied by 2 e instead of 1 + e</source>
-        <translation>Der Stoß wird mit 2 e statt mit 1 + e multipliziert</translation>
+        <translation>Der Kraftstoß wird mit 2 e statt mit 1 + e multipliziert</translation>
     </message>
     <message>
         <source>The push is multiplied by e instead of 1 + e</source>
-        <translation>Der Stoß wird mit e statt mit 1 + e multipliziert</translation>
+        <translation>Der Kraftstoß wird mit e statt mit 1 + e multipliziert</translation>
     </message>
     <message>
         <source>The rebound is divided by e</source>
@@ -2505,15 +2505,15 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The parts across the line of centres turn round, not those along it</source>
-        <translation>Die Anteile quer zur Linie der Mittelpunkte kehren um, nicht die längs dazu</translation>
+        <translation>Die Anteile quer zur Verbindungslinie der Mittelpunkte kehren um, nicht die längs dazu</translation>
     </message>
     <message>
         <source>The push acts along the line of centres.</source>
-        <translation>Der Stoß wirkt längs der Linie der Mittelpunkte.</translation>
+        <translation>Der Kraftstoß wirkt längs der Verbindungslinie der Mittelpunkte.</translation>
     </message>
     <message>
         <source>A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
-        <translation>Ein glatter Kreis stößt nur längs der Linie der Mittelpunkte; jeder behält seinen eigenen Anteil quer dazu.</translation>
+        <translation>Ein glatter Kreis stößt nur längs der Verbindungslinie der Mittelpunkte; jeder behält seinen eigenen Anteil quer dazu.</translation>
     </message>
     <message>
         <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
@@ -2521,11 +2521,11 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
-        <translation>Zwischen gleichen Kreisen wechseln die ganzen Geschwindigkeiten, nicht nur die Anteile längs der Normalen</translation>
+        <translation>Gleiche Kreise tauschen ihre ganzen Geschwindigkeiten, nicht nur die Anteile längs der Normalen</translation>
     </message>
     <message>
         <source>The parts across change hands, and those along the normal stay</source>
-        <translation>Die Anteile quer wechseln, und die längs der Normalen bleiben</translation>
+        <translation>Die Anteile quer zur Normalen werden getauscht, und die längs der Normalen bleiben</translation>
     </message>
     <message>
         <source>The parts across the normal are lost</source>
@@ -2533,11 +2533,11 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>Both circles leave with the velocity of circle 2</source>
-        <translation>Beide Kreise gehen mit der Geschwindigkeit von Kreis 2</translation>
+        <translation>Beide Kreise verlassen den Stoß mit der Geschwindigkeit von Kreis 2</translation>
     </message>
     <message>
         <source>Both circles leave with the velocity of circle 1</source>
-        <translation>Beide Kreise gehen mit der Geschwindigkeit von Kreis 1</translation>
+        <translation>Beide Kreise verlassen den Stoß mit der Geschwindigkeit von Kreis 1</translation>
     </message>
     <message>
         <source>The velocity of circle 2 is worked out from what circle 1 has become</source>
@@ -2585,7 +2585,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The parts along the normal change hands and are turned round as well</source>
-        <translation>Die Anteile längs der Normalen wechseln und werden außerdem umgekehrt</translation>
+        <translation>Die Anteile längs der Normalen werden getauscht und außerdem umgekehrt</translation>
     </message>
     <message>
         <source>The exchange alone is the whole answer.</source>
@@ -2593,7 +2593,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The push on circle 1 has the wrong sign</source>
-        <translation>Der Stoß auf Kreis 1 hat das falsche Vorzeichen</translation>
+        <translation>Der Kraftstoß auf Kreis 1 hat das falsche Vorzeichen</translation>
     </message>
     <message>
         <source>It gains the part that it should lose.</source>
@@ -2601,7 +2601,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The push on circle 2 has the wrong sign</source>
-        <translation>Der Stoß auf Kreis 2 hat das falsche Vorzeichen</translation>
+        <translation>Der Kraftstoß auf Kreis 2 hat das falsche Vorzeichen</translation>
     </message>
     <message>
         <source>It loses the part that it should gain.</source>
@@ -2609,7 +2609,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>Both pushes have the wrong sign</source>
-        <translation>Beide Stöße haben das falsche Vorzeichen</translation>
+        <translation>Beide Kraftstöße haben das falsche Vorzeichen</translation>
     </message>
     <message>
         <source>The circles are drawn into each other.</source>
@@ -2617,11 +2617,11 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>A direction has length 1: divide it by its own length, else its length comes into the push, and twice.</source>
-        <translation>Eine Richtung hat die Länge 1: Teile sie durch ihre eigene Länge, sonst geht diese in den Stoß ein, und zwar zweimal.</translation>
+        <translation>Eine Richtung hat die Länge 1: Teile sie durch ihre eigene Länge, sonst geht diese in den Kraftstoß ein, und zwar zweimal.</translation>
     </message>
     <message>
         <source>The push acts along the line from centre to centre.</source>
-        <translation>Der Stoß wirkt längs der Linie von Mittelpunkt zu Mittelpunkt.</translation>
+        <translation>Der Kraftstoß wirkt längs der Linie von Mittelpunkt zu Mittelpunkt.</translation>
     </message>
     <message>
         <source>The normal does not have length 1</source>
@@ -2633,7 +2633,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The perpendicular of the line of centres is taken for the normal</source>
-        <translation>Die Senkrechte zur Linie der Mittelpunkte wird für die Normale gehalten</translation>
+        <translation>Die Senkrechte zur Verbindungslinie der Mittelpunkte wird für die Normale gehalten</translation>
     </message>
     <message>
         <source>The parts x and y of the normal are exchanged</source>
@@ -2649,15 +2649,15 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The push acts along the velocity of circle 1</source>
-        <translation>Der Stoß wirkt längs der Geschwindigkeit von Kreis 1</translation>
+        <translation>Der Kraftstoß wirkt längs der Geschwindigkeit von Kreis 1</translation>
     </message>
     <message>
         <source>The x parts change hands, not those along the line of centres</source>
-        <translation>Die x-Anteile wechseln, nicht die längs der Linie der Mittelpunkte</translation>
+        <translation>Getauscht werden die x-Anteile, nicht die längs der Verbindungslinie der Mittelpunkte</translation>
     </message>
     <message>
         <source>The y parts change hands, not those along the line of centres</source>
-        <translation>Die y-Anteile wechseln, nicht die längs der Linie der Mittelpunkte</translation>
+        <translation>Getauscht werden die y-Anteile, nicht die längs der Verbindungslinie der Mittelpunkte</translation>
     </message>
     <message>
         <source>The new velocities are turned back by the wrong angle</source>
@@ -2673,19 +2673,19 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>They are still taken apart along the line of centres: put them together again.</source>
-        <translation>Sie sind noch in Anteile längs und quer zur Linie der Mittelpunkte zerlegt: Setz sie wieder zusammen.</translation>
+        <translation>Sie sind noch in Anteile längs und quer zur Verbindungslinie der Mittelpunkte zerlegt: Setz sie wieder zusammen.</translation>
     </message>
     <message>
         <source>The parts across the line of centres are changed</source>
-        <translation>Die Anteile quer zur Linie der Mittelpunkte ändern sich</translation>
+        <translation>Die Anteile quer zur Verbindungslinie der Mittelpunkte ändern sich</translation>
     </message>
     <message>
         <source>A smooth circle pushes along the line of centres only.</source>
-        <translation>Ein glatter Kreis stößt nur längs der Linie der Mittelpunkte.</translation>
+        <translation>Ein glatter Kreis stößt nur längs der Verbindungslinie der Mittelpunkte.</translation>
     </message>
     <message>
         <source>The pushes on the two circles are not equal and opposite</source>
-        <translation>Die Stöße auf die beiden Kreise sind nicht gleich groß und entgegengesetzt</translation>
+        <translation>Die Kraftstöße auf die beiden Kreise sind nicht gleich groß und entgegengesetzt</translation>
     </message>
     <message>
         <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
@@ -2693,7 +2693,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The push does not act along the line of centres alone</source>
-        <translation>Der Stoß wirkt nicht allein längs der Linie der Mittelpunkte</translation>
+        <translation>Der Kraftstoß wirkt nicht allein längs der Verbindungslinie der Mittelpunkte</translation>
     </message>
     <message>
         <source>The parts across it must stay as they were.</source>
@@ -2701,7 +2701,7 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     </message>
     <message>
         <source>The push along the line of centres has the wrong size</source>
-        <translation>Der Stoß längs der Linie der Mittelpunkte hat die falsche Größe</translation>
+        <translation>Der Kraftstoß längs der Verbindungslinie der Mittelpunkte hat die falsche Größe</translation>
     </message>
     <message>
         <source>The masses in your own scene are not those of its circles</source>
@@ -2745,15 +2745,15 @@ Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
     </message>
     <message>
         <source>The walls turn %who round too early</source>
-        <translation>Die Wände kehren %who zu früh um</translation>
+        <translation>Die Wände lassen %who zu früh umkehren</translation>
     </message>
     <message>
         <source>The walls turn %who round at the far side of the rim</source>
-        <translation>Die Wände kehren %who erst am hinteren Rand um</translation>
+        <translation>Die Wände lassen %who erst am hinteren Rand umkehren</translation>
     </message>
     <message>
         <source>The walls turn %who round too late</source>
-        <translation>Die Wände kehren %who zu spät um</translation>
+        <translation>Die Wände lassen %who zu spät umkehren</translation>
     </message>
     <message>
         <source>A smooth wall pushes along its normal only.</source>
@@ -2817,7 +2817,7 @@ Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
     </message>
     <message>
         <source>The walls do not turn %who round</source>
-        <translation>Die Wände kehren %who nicht um</translation>
+        <translation>Die Wände lassen %who nicht umkehren</translation>
     </message>
     <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
@@ -2909,7 +2909,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
-        <translation>Entlang der Verbindungslinie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie kamen sich also mit %3 m/s näher und liefen ineinander, während andere Begegnungen beantwortet werden. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
+        <translation>Längs der Verbindungslinie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie kamen sich also mit %3 m/s näher und liefen ineinander, während andere Begegnungen beantwortet werden. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
     </message>
     <message>
         <source>A hit does not stop both circles</source>
@@ -2917,7 +2917,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>The walls give %who between %1 and %2 times the speed back</source>
-        <translation>Von den Wänden kommt für %who das %1- bis %2-fache des Tempos zurück</translation>
+        <translation>Von den Wänden kommt für %who das %1- bis %2-Fache des Tempos zurück</translation>
     </message>
     <message>
         <source>Look at the factors in front of the part that you turn round.</source>
@@ -2925,7 +2925,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>The walls give %who %1 times the speed back</source>
-        <translation>Von den Wänden kommt für %who das %1-fache des Tempos zurück</translation>
+        <translation>Von den Wänden kommt für %who das %1-Fache des Tempos zurück</translation>
     </message>
     <message>
         <source>The circles are put back and keep their velocities</source>
@@ -2945,7 +2945,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
-        <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s², wenn sein Radius das 1.25-fache und seine Dichte das 1.5-fache ist. Die Schwerkraft ist schon eine Beschleunigung: Alle Körper fallen gleich, wie schwer sie auch sind.</translation>
+        <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s², wenn sein Radius das 1.25-Fache und seine Dichte das 1.5-Fache ist. Die Schwerkraft ist schon eine Beschleunigung: Alle Körper fallen gleich, wie schwer sie auch sind.</translation>
     </message>
     <message>
         <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
@@ -2961,7 +2961,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
-        <translation>Mit %1 m/s begonnen, hat er einen Schritt später %2 m/s, und so von jedem anderen Beginn. Ein Schritt errechnet die neue Geschwindigkeit aus der, die der Kreis hat und die ein Stoß geändert haben kann; ein Beginn wird einmal gesetzt, in `on_load`.</translation>
+        <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s, und das nach jedem anderen Start. Ein Schritt rechnet die neue Geschwindigkeit aus der aus, die der Kreis hat und die ein Stoß geändert haben kann; der Start wird einmal gesetzt, in `on_load`.</translation>
     </message>
     <message>
         <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
@@ -2969,7 +2969,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
-        <translation> Beide Teile des Orts müssen sich ändern, jeder um seinen eigenen Teil der Geschwindigkeit.</translation>
+        <translation> Beide Koordinaten des Orts müssen sich ändern, jede mit ihrem eigenen Anteil der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
@@ -2977,15 +2977,15 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
-        <translation>Jeder Teil des Orts ändert sich um seinen eigenen Teil der Geschwindigkeit.</translation>
+        <translation>Jede Koordinate des Orts ändert sich mit ihrem eigenen Anteil der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The x part of the velocity moves %who in y</source>
-        <translation>Der x-Teil der Geschwindigkeit bewegt %who in y</translation>
+        <translation>Der x-Anteil der Geschwindigkeit bewegt %who in y</translation>
     </message>
     <message>
         <source>The y part of the velocity moves %who in x</source>
-        <translation>Der y-Teil der Geschwindigkeit bewegt %who in x</translation>
+        <translation>Der y-Anteil der Geschwindigkeit bewegt %who in x</translation>
     </message>
     <message>
         <source>x and y of the velocity are exchanged where %who moves</source>
@@ -3009,11 +3009,11 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
-        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) war die Änderung von v₁ das %5-fache der von v₂; richtig ist m₂/m₁ = %6.</translation>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) war die Änderung von v₁ das %5-Fache der von v₂; richtig ist m₂/m₁ = %6.</translation>
     </message>
     <message>
         <source>Where the masses differ, only circle %1 leaves as it should</source>
-        <translation>Wo die Massen verschieden sind, geht nur Kreis %1, wie er soll</translation>
+        <translation>Wo die Massen verschieden sind, verlässt nur Kreis %1 den Stoß, wie er soll</translation>
     </message>
     <message>
         <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
@@ -3093,7 +3093,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     </message>
     <message>
         <source>The walls give %who %1 e of the speed back, not e</source>
-        <translation>Von den Wänden kommt für %who das %1 e-fache des Tempos zurück, nicht das e-fache</translation>
+        <translation>Von den Wänden kommt für %who das Tempo mal %1 e zurück, nicht mal e</translation>
     </message>
     <message>
         <source>None of the four walls turns %who round</source>
@@ -3117,7 +3117,7 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
 Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
         <translation>Kreis %1 wird noch einmal umgedreht, während er die Wand verlässt
 
-Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch einmal in die Wand gedreht: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
+Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch einmal in die Wand gedreht: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setz ihn nach innen zurück, oder frag, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
     </message>
     <message>
         <source>In your own scene the first step changes the velocity of %who</source>
@@ -3157,7 +3157,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>e also shortens the part of circle %1 across the line of centres</source>
-        <translation>e verkürzt auch den Anteil von Kreis %1 quer zur Verbindungslinie</translation>
+        <translation>e verkürzt auch den Anteil von Kreis %1 quer zur Verbindungslinie der Mittelpunkte</translation>
     </message>
     <message>
         <source>Nothing pushes there: it stays as it was.</source>
@@ -3165,7 +3165,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Of two equal circles only circle %1 leaves as it should</source>
-        <translation>Von zwei gleichen Kreisen geht nur Kreis %1 weg, wie er soll</translation>
+        <translation>Von zwei gleichen Kreisen verlässt nur Kreis %1 den Stoß, wie er soll</translation>
     </message>
     <message>
         <source>Only in the new velocity of circle %1: %2</source>
@@ -3185,7 +3185,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>Der Mittelpunkt wäre auf %1 m an die Wand gekommen und wurde %2 m davor gesetzt; der Radius ist %3 m. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
+        <translation>Der Mittelpunkt wäre auf %1 m an die Wand gekommen und wurde %2 m davor gesetzt; der Radius ist %3 m. Setz den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
     </message>
     <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
@@ -3193,11 +3193,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Between equal circles the push is %1 times as large as it should be</source>
-        <translation>Zwischen gleichen Kreisen ist der Stoß %1-mal so groß, wie er sein soll</translation>
+        <translation>Zwischen gleichen Kreisen ist der Kraftstoß %1-mal so groß, wie er sein soll</translation>
     </message>
     <message>
         <source>The walls turn %who round at the wrong place</source>
-        <translation>Die Wände kehren %who am falschen Ort um</translation>
+        <translation>Die Wände lassen %who am falschen Ort umkehren</translation>
     </message>
     <message>
         <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
@@ -3222,11 +3222,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
+        <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
-        <translation>Die Geschwindigkeit kommt von Kreis %1 (%who)</translation>
+        <translation>Für %who kommt die Geschwindigkeit von Kreis %1</translation>
     </message>
     <message>
         <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
@@ -3234,7 +3234,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Away from every wall a low speed of %who is taken away</source>
-        <translation>Fern von jeder Wand wird eine kleine Geschwindigkeit weggenommen (%who)</translation>
+        <translation>Fern von jeder Wand wird für %who eine kleine Geschwindigkeit weggenommen</translation>
     </message>
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
@@ -3266,15 +3266,15 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The %1 does not turn %who where it stands</source>
-        <translation>Umgekehrt wird nicht dort, wo die Wand steht (%1: %who)</translation>
+        <translation>Die Umkehr an %1 liegt nicht dort, wo die Wand steht (%who)</translation>
     </message>
     <message>
         <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
-        <translation>Dorthin geworfen, kehrte Kreis %1 schon im ersten Schritt um, von %2 zu %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir den Ort an, den dein Programm für diese Wand nimmt.</translation>
+        <translation>Dorthin geworfen, kehrte Kreis %1 schon im ersten Schritt um, von %2 auf %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir den Ort an, den dein Programm für diese Wand nimmt.</translation>
     </message>
     <message>
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
-        <translation>Geworfen wurde Kreis %6 hierhin: %1. Im ersten Schritt wurde aus der Geschwindigkeit %2 m/s %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
+        <translation>Zu %1 hin geworfen, änderte Kreis %6 im ersten Schritt seine Geschwindigkeit von %2 auf %3 m/s, mit dem Mittelpunkt noch %4 m von dieser Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
     </message>
     <message>
         <source>Started with %1 m/s, it goes %2 m in the second step of a run and %3 m where it starts alike %4 s later, with the same Δt.</source>
@@ -3310,11 +3310,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The walls do not give %who e times the speed back</source>
-        <translation>Von den Wänden kommt für %who nicht das e-fache des Tempos zurück</translation>
+        <translation>Von den Wänden kommt für %who nicht das e-Fache des Tempos zurück</translation>
     </message>
     <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
-        <translation>Bei e = %1 ist es das %2-fache des Tempos, bei e = %3 das %4-fache. Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
+        <translation>Bei e = %1 ist es das %2-Fache des Tempos, bei e = %3 das %4-Fache. Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
     </message>
     <message>
         <source>At the walls the radius of another circle stands for that of %who</source>
@@ -3346,23 +3346,23 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
-        <translation>Mit der Verbindungslinie ihrer Mittelpunkte bei %1° kamen sie sich längs ihr mit %2 m/s näher und liefen ineinander; andere Begegnungen werden beantwortet. Es zählt, ob sie sich überdecken und ob die Geschwindigkeit des einen relativ zum anderen einen Anteil längs dieser Linie hat.</translation>
+        <translation>Mit der Verbindungslinie ihrer Mittelpunkte bei %1° näherten sie sich längs ihr mit %2 m/s und liefen ineinander; andere Begegnungen werden beantwortet. Es zählt, ob sie überlappen und ob die Geschwindigkeit des einen relativ zum anderen einen Anteil längs dieser Linie hat.</translation>
     </message>
     <message>
         <source>Circles that come nearer slowly are not answered</source>
-        <translation>Kreise, die sich langsam näher kommen, werden nicht beantwortet</translation>
+        <translation>Kreise, die sich langsam nähern, antworten nicht</translation>
     </message>
     <message>
         <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Sie kamen sich mit %1 m/s näher und liefen ineinander; mit %2 m/s werden sie beantwortet. Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie sich überdecken und einander näher kommen.</translation>
+        <translation>Sie näherten sich mit %1 m/s und liefen ineinander; mit %2 m/s antworten sie. Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
     </message>
     <message>
         <source>The velocity of %who is taken away at once, far from everything</source>
-        <translation>Die Geschwindigkeit wird für %who sofort weggenommen, fern von allem</translation>
+        <translation>Fern von allem wird für %who sofort die Geschwindigkeit weggenommen</translation>
     </message>
     <message>
         <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
-        <translation>Mit %1 m/s begonnen, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später. Sieh dir die Zeilen an, die einen Kreis anhalten, und was davor gefragt wird: Ist es wahr, obwohl sich nichts berührt?</translation>
+        <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später. Sieh dir die Zeilen an, die einen Kreis anhalten, und was davor gefragt wird: Ist es wahr, obwohl sich nichts berührt?</translation>
     </message>
     <message>
         <source>In the rebound each circle has the mass of the other</source>
@@ -3378,7 +3378,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The other one leaves as it should. Look at what is worked out for this one.</source>
-        <translation>Der andere geht, wie er soll. Sieh dir an, was für diesen errechnet wird.</translation>
+        <translation>Der andere verlässt den Stoß, wie er soll. Sieh dir an, was für diesen errechnet wird.</translation>
     </message>
     <message>
         <source>Of two equal circles circle 2 leaves a hit as it came</source>
@@ -3394,7 +3394,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In anderen Szenen trennen sie sich mit dem e-fachen Tempo. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In anderen Szenen trennen sie sich mit dem e-Fachen des Tempos. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
     </message>
     <message>
         <source>A later hit is answered along the line of an earlier one</source>
@@ -3410,7 +3410,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at what your program keeps from one hit to the next.</source>
-        <translation>Mit e = %1 trennten sich zwei Kreise mit dem %2-fachen des Tempos, mit dem sie sich trafen; bei ihrem zweiten Stoß, von einer Wand zurück, war es das %3-fache. Sieh dir an, was dein Programm von einem Stoß zum nächsten behält.</translation>
+        <translation>Mit e = %1 trennten sich zwei Kreise mit dem %2-Fachen des Tempos, mit dem sie sich trafen; bei ihrem zweiten Stoß, von einer Wand zurück, war es das %3-Fache. Sieh dir an, was dein Programm von einem Stoß zum nächsten behält.</translation>
     </message>
     <message>
         <source>Circles that meet slowly are answered in another way</source>
@@ -3430,19 +3430,19 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Slow hits at the walls do not turn %who round</source>
-        <translation>Langsame Stöße an den Wänden kehren %who nicht um</translation>
+        <translation>Langsame Stöße an den Wänden lassen %who nicht umkehren</translation>
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
-        <translation>Kreis %1 kam mit %3 m/s an (%2) und lief darüber hinaus; mit %4 m/s wird er umgekehrt. Wie schnell er kommt, spielt keine Rolle: Es zählt, ob sein Rand über die Wand hinaus ist und wohin er sich bewegt.</translation>
+        <translation>Kreis %1 kam mit %3 m/s an %2 an und lief darüber hinaus; mit %4 m/s kehrt er um. Wie schnell er kommt, spielt keine Rolle: Es zählt, ob sein Rand über die Wand hinaus ist und wohin er sich bewegt.</translation>
     </message>
     <message>
         <source>Slow hits at the walls give %who another share of the speed back</source>
-        <translation>Langsame Stöße an den Wänden geben %who einen anderen Teil des Tempos zurück</translation>
+        <translation>Von langsamen Stößen an den Wänden kommt für %who ein anderer Teil des Tempos zurück</translation>
     </message>
     <message>
         <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
-        <translation>Mit e = %1 kam Kreis %2 mit %4 m/s an (%3) und ging mit dem %5-fachen dieses Tempos; das %6-fache ist richtig. Der Faktor ist für jedes Tempo derselbe.</translation>
+        <translation>Mit e = %1 kam Kreis %2 mit %4 m/s an %3 an und ging mit dem %5-Fachen dieses Tempos; richtig ist das %6-Fache. Der Faktor ist für jedes Tempo derselbe.</translation>
     </message>
     <message>
         <source>Hits come out right only where circle 2 is to the right of circle 1</source>
@@ -3462,7 +3462,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
-        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° kamen sie sich mit %2 m/s näher und liefen ineinander; bei %3° werden sie beantwortet, wenn sie sich berühren. Sieh nach, was von einer Seite zur anderen sein Vorzeichen wechselt: ein Unterschied zweier Orte, ein Winkel, der daraus berechnet wird, oder ein Teil einer Geschwindigkeit.</translation>
+        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° näherten sie sich mit %2 m/s und liefen ineinander; bei %3° antworten sie, wenn sie sich berühren. Sieh nach, was von einer Seite zur anderen sein Vorzeichen wechselt: eine Differenz zweier Orte, ein Winkel, der daraus berechnet wird, oder ein Anteil einer Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
@@ -3470,7 +3470,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Started with %1 m/s, one step later it is %2 m from where it was at the start of a run, and %3 m where it starts alike %4 s later. A step *adds* a way to the old position.</source>
-        <translation>Mit %1 m/s begonnen, ist er einen Schritt später %2 m von seinem Ort entfernt, wenn ein Lauf beginnt, und %3 m, wenn er %4 s später ebenso beginnt. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
+        <translation>Mit %1 m/s gestartet, ist er am Anfang eines Laufs nach einem Schritt %2 m von seinem Ort entfernt, und %3 m, wenn er %4 s später ebenso startet. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
     </message>
     <message>
         <source> (only in y)</source>
@@ -3482,23 +3482,23 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
-        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach rechts bewegt</translation>
+        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach rechts bewegt</translation>
     </message>
     <message>
         <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
-        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach links bewegt</translation>
+        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach links bewegt</translation>
     </message>
     <message>
         <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
-        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach oben bewegt</translation>
+        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach oben bewegt</translation>
     </message>
     <message>
         <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
-        <translation>Treffer werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach unten bewegt</translation>
+        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach unten bewegt</translation>
     </message>
     <message>
         <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
-        <translation>Bei einer Verbindungslinie der Mittelpunkte, von 1 nach 2, unter %1° näherten sie sich mit %2 m/s und liefen ineinander; unter %3° werden sie beantwortet, weil sich Kreis 1 quer zur Linie dorthin bewegt. Ob sich zwei nähern, sagt der Teil der einen Geschwindigkeit gegenüber der anderen entlang dieser Verbindungslinie, nicht ihr x oder y.</translation>
+        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° näherten sie sich mit %2 m/s und liefen ineinander; bei %3° antworten sie, weil sich Kreis 1 quer zur Linie dorthin bewegt. Ob sich zwei nähern, sagt der Anteil der Geschwindigkeit des einen relativ zum anderen längs der Verbindungslinie, nicht ihr x oder y.</translation>
     </message>
     <message>
         <source>Where the masses differ, the total momentum is not kept</source>
@@ -3506,7 +3506,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e is. One push changes both: look at what the two formulas have in common.</source>
-        <translation>Mit ρ₁ = %1 und ρ₂ = %2 war die Änderung von v₁ das %3-Fache der von v₂, wo e = %4 ist, und das %5-Fache, wo e = %6 ist; m₂/m₁ = %7 ist richtig, wie groß e auch ist. Ein Stoß ändert beide: Sieh nach, was die beiden Formeln gemeinsam haben.</translation>
+        <translation>Mit ρ₁ = %1 und ρ₂ = %2 war die Änderung von v₁ das %3-Fache der von v₂, wo e = %4 ist, und das %5-Fache, wo e = %6 ist; richtig ist m₂/m₁ = %7, wie groß e auch ist. Ein einziger Kraftstoß ändert beide: Sieh nach, was die beiden Formeln gemeinsam haben.</translation>
     </message>
     <message>
         <source>e acts only after the first hit</source>
@@ -3518,11 +3518,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The walls turn %who round a whole second too early</source>
-        <translation>Die Wände kehren %who eine ganze Sekunde zu früh um</translation>
+        <translation>Die Wände lassen %who eine ganze Sekunde zu früh umkehren</translation>
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
-        <translation>Kreis %1 kam mit %3 m/s zu diesem Rand des Quadrats (%2) und kehrte um, als sein eigener Rand zwischen %4 und %5 m davon entfernt war; mit %6 m/s zwischen %7 und %8 m. Das ist der Weg einer Sekunde: Ein Schritt bringt ihn um v Δt weiter, nicht um v.</translation>
+        <translation>Kreis %1 kam mit %3 m/s an %2 an und kehrte um, als sein Rand zwischen %4 und %5 m davon entfernt war; mit %6 m/s zwischen %7 und %8 m. Das ist der Weg einer Sekunde: Ein Schritt bringt ihn um v Δt weiter, nicht um v.</translation>
     </message>
 </context>
 <context>
@@ -3747,7 +3747,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>%1: there are no results; its shard never began</source>
-        <translation>%1: es gibt keine Ergebnisse; dieser Teil hat nie begonnen</translation>
+        <translation>%1: Es gibt keine Ergebnisse; dieser Teil hat nie begonnen</translation>
     </message>
     <message>
         <source>%1: shard %2 of %3 did not come to its end</source>
@@ -3775,7 +3775,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>these results are of another class, or of another number of shards, than those before</source>
-        <translation>diese Ergebnisse gehören zu einer anderen Klasse oder einer anderen Zahl von Teilen als die davor</translation>
+        <translation>diese Ergebnisse gehören zu einem anderen Kurs oder einer anderen Zahl von Teilen als die davor</translation>
     </message>
     <message>
         <source>%1: other isolation: %2</source>
@@ -3831,7 +3831,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>By %1, with version %2 of the lab %3 (sha256 %4).</source>
-        <translation>Von %1, mit Fassung %2 des Praktikums %3 (sha256 %4).</translation>
+        <translation>Von %1, mit Fassung %2 des Labs %3 (sha256 %4).</translation>
     </message>
     <message>
         <source>Programs were kept apart by: %1.</source>
@@ -4075,7 +4075,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>not judged: the program cannot be read</source>
-        <translation>nicht beurteilt: das Programm kann nicht gelesen werden</translation>
+        <translation>nicht beurteilt: Das Programm kann nicht gelesen werden</translation>
     </message>
     <message>
         <source>the lab has no step %1</source>
@@ -4111,11 +4111,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>this is no roster: its first line has neither a column &quot;id&quot; nor a column &quot;folder&quot;</source>
-        <translation>das ist keine Liste: ihre erste Zeile hat weder eine Spalte „id“ noch eine Spalte „folder“</translation>
+        <translation>das ist keine Liste: Ihre erste Zeile hat weder eine Spalte „id“ noch eine Spalte „folder“</translation>
     </message>
     <message>
         <source>row %1 names nobody: it has neither an id nor a folder</source>
-        <translation>Zeile %1 nennt niemanden: sie hat weder Kennung noch Ordner</translation>
+        <translation>Zeile %1 nennt niemanden: Sie hat weder Kennung noch Ordner</translation>
     </message>
     <message>
         <source>row %1: late days are a number from 0</source>
@@ -4123,7 +4123,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Judged by %1, version %2 of the lab, in scenes drawn for this student alone.</source>
-        <translation>Beurteilt von %1, Fassung %2 des Praktikums, in Szenen, die nur für diese Person gezogen wurden.</translation>
+        <translation>Beurteilt von %1, Fassung %2 des Labs, in Szenen, die nur für diese Person gezogen wurden.</translation>
     </message>
     <message>
         <source>%1 of %2 points</source>
@@ -4258,7 +4258,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>this is no secret: at least %1 letters are right</source>
-        <translation>das ist kein Geheimnis: richtig sind mindestens %1 Zeichen</translation>
+        <translation>das ist kein Geheimnis: Richtig sind mindestens %1 Zeichen</translation>
     </message>
     <message>
         <source>no process to judge in can be started: %1</source>
@@ -4302,11 +4302,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Compared token by token, whatever their names, comments and order (winnowing). What the lab gives is left out, and so is what more than %1 students share. There are many good reasons for programs to be alike: working together where that is allowed, the same book, the same idea. A pair below proves nothing; read both, and ask.</source>
-        <translation>Verglichen wird Token für Token, gleich welche Namen, Kommentare und Reihenfolge (Winnowing). Was das Praktikum vorgibt, zählt nicht, und auch nicht, was mehr als %1 Studierende gemeinsam haben. Es gibt viele gute Gründe dafür, dass Programme sich gleichen: erlaubte Zusammenarbeit, dasselbe Buch, dieselbe Idee. Ein Paar hier beweist nichts; lesen Sie beide, und fragen Sie nach.</translation>
+        <translation>Verglichen wird Token für Token, gleich welche Namen, Kommentare und Reihenfolge (Winnowing). Was das Lab vorgibt, zählt nicht, und auch nicht, was mehr als %1 Studierende gemeinsam haben. Es gibt viele gute Gründe dafür, dass Programme sich gleichen: erlaubte Zusammenarbeit, dasselbe Buch, dieselbe Idee. Ein Paar hier beweist nichts; lies beide, und frag nach.</translation>
     </message>
     <message>
         <source>A step is worth what the lab says, else the points of its checks; a check that passes brings its points also where others fail. Points are rounded to the hundredth, halves up, once, after all else.</source>
-        <translation>Ein Schritt ist so viel wert, wie das Praktikum sagt, sonst so viel wie seine Prüfungen; eine bestandene Prüfung bringt ihre Punkte auch dann, wenn andere nicht bestanden sind. Punkte werden auf Hundertstel gerundet, Hälften nach oben, einmal, ganz am Schluss.</translation>
+        <translation>Ein Schritt ist so viel wert, wie das Lab sagt, sonst so viel wie seine Prüfungen; eine bestandene Prüfung bringt ihre Punkte auch dann, wenn andere nicht bestanden sind. Punkte werden auf Hundertstel gerundet, Hälften nach oben, einmal, ganz am Schluss.</translation>
     </message>
     <message>
         <source>Of those who handed in a history, as it says itself. Minutes are those in which the program changed, without pauses of more than ten; who thinks on paper shows none. A history of commits alone tells no checks.</source>
@@ -4342,7 +4342,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>%1 is not looked into; unpack it in its place</source>
-        <translation>in %1 wird nicht hineingesehen; entpacken Sie die Datei an ihrem Ort</translation>
+        <translation>in %1 wird nicht hineingesehen; entpacke die Datei an ihrem Ort</translation>
     </message>
     <message>
         <source>What was handed in has the number %2, which the roster does not have for this student: it was judged with the values that are drawn by the number %1.</source>
@@ -4605,7 +4605,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
-        <translation>nicht lesbar: diese Datei gibt es nicht</translation>
+        <translation>nicht lesbar: Diese Datei gibt es nicht</translation>
     </message>
     <message>
         <source>the lab has translations into this language; its own texts are in another</source>
@@ -4660,15 +4660,15 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>cannot be read: there is no such folder</source>
-        <translation>nicht lesbar: diesen Ordner gibt es nicht</translation>
+        <translation>nicht lesbar: Diesen Ordner gibt es nicht</translation>
     </message>
     <message>
         <source>cannot be read: the folder may not be opened</source>
-        <translation>nicht lesbar: der Ordner darf nicht geöffnet werden</translation>
+        <translation>nicht lesbar: Der Ordner darf nicht geöffnet werden</translation>
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
-        <translation>nicht lesbar: diese Datei gibt es nicht</translation>
+        <translation>nicht lesbar: Diese Datei gibt es nicht</translation>
     </message>
     <message>
         <source>a link here leads out of the lab; a file or folder of its own is right</source>
@@ -4718,7 +4718,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>cannot be read: there is no such file</source>
-        <translation>nicht lesbar: diese Datei gibt es nicht</translation>
+        <translation>nicht lesbar: Diese Datei gibt es nicht</translation>
     </message>
     <message>
         <source>the text has characters that are none (NUL); a text in UTF-8 is right</source>
@@ -4919,7 +4919,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <name>LabVerifier</name>
     <message>
         <source>stops with an error at line %1: %2</source>
-        <translation>hält mit einem Fehler in Zeile %1 an: %2</translation>
+        <translation>bricht mit einem Fehler in Zeile %1 ab: %2</translation>
     </message>
     <message>
         <source>passes; a starter should fail by a check</source>
@@ -5027,7 +5027,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>timing</source>
-        <translation>Zeitbestimmung</translation>
+        <translation>Zeitführung</translation>
     </message>
     <message>
         <source>number of circles</source>
@@ -5035,7 +5035,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>position of %1</source>
-        <translation>Position von %1</translation>
+        <translation>Ort von %1</translation>
     </message>
     <message>
         <source>velocity of %1</source>
@@ -5449,11 +5449,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>--at %1: a number of seconds from 0 to %2 is right</source>
-        <translation>--at %1: richtig ist eine Zahl von Sekunden von 0 bis %2</translation>
+        <translation>--at %1: Richtig ist eine Zahl von Sekunden von 0 bis %2</translation>
     </message>
     <message>
         <source>--size %1: a size like 1280x800 is right</source>
-        <translation>--size %1: richtig ist eine Größe wie 1280x800</translation>
+        <translation>--size %1: Richtig ist eine Größe wie 1280x800</translation>
     </message>
     <message>
         <source>cradle: unexpected argument %1; one lab or scene is right</source>
@@ -5469,7 +5469,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>cradle: --mode %1: explore or code is right</source>
-        <translation>cradle: --mode %1: richtig ist explore oder code</translation>
+        <translation>cradle: --mode %1: Richtig ist explore oder code</translation>
     </message>
     <message>
         <source>open this scene of Lab → Example scenes</source>
@@ -5513,15 +5513,15 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>cradle: --language %1: one of %2 is right</source>
-        <translation>cradle: --language %1: richtig ist eine von %2</translation>
+        <translation>cradle: --language %1: Richtig ist eine von %2</translation>
     </message>
     <message>
         <source>cradle: --theme %1: system, light, dark or high-contrast is right</source>
-        <translation>cradle: --theme %1: richtig ist system, light, dark oder high-contrast</translation>
+        <translation>cradle: --theme %1: Richtig ist system, light, dark oder high-contrast</translation>
     </message>
     <message>
         <source>cradle: --text-size %1: a number from 100 to 200 is right</source>
-        <translation>cradle: --text-size %1: richtig ist eine Zahl von 100 bis 200</translation>
+        <translation>cradle: --text-size %1: Richtig ist eine Zahl von 100 bis 200</translation>
     </message>
 </context>
 <context>
@@ -5708,15 +5708,15 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;States of the run as CSV…</source>
-        <translation>&amp;Zustände des Laufs als CSV …</translation>
+        <translation>&amp;Zustände des Laufs als CSV…</translation>
     </message>
     <message>
         <source>&amp;Totals of the run as CSV…</source>
-        <translation>&amp;Summen des Laufs als CSV …</translation>
+        <translation>&amp;Summen des Laufs als CSV…</translation>
     </message>
     <message>
         <source>&amp;Hits of the run as CSV…</source>
-        <translation>S&amp;töße des Laufs als CSV …</translation>
+        <translation>S&amp;töße des Laufs als CSV…</translation>
     </message>
     <message>
         <source>&amp;Pin this run</source>
@@ -5744,7 +5744,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>A run stops at the step of every collision; Run goes on</source>
-        <translation>Ein Lauf hält beim Schritt jedes Stoßes an; Starten setzt ihn fort</translation>
+        <translation>Ein Lauf hält beim Schritt jedes Stoßes an; „Starten“ setzt ihn fort</translation>
     </message>
     <message>
         <source>&amp;Momenta tip to tail</source>
@@ -5752,7 +5752,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Centre of mass and its way</source>
-        <translation>S&amp;chwerpunkt und seinen Weg</translation>
+        <translation>S&amp;chwerpunkt und sein Weg</translation>
     </message>
     <message>
         <source>&amp;Follow the centre of mass</source>
@@ -5760,7 +5760,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The view moves along with it: in its frame the momenta of all circles add up to nothing</source>
-        <translation>Die Ansicht bewegt sich mit ihm: in seinem Bezugssystem heben sich die Impulse aller Kreise auf</translation>
+        <translation>Die Ansicht bewegt sich mit ihm: In seinem Bezugssystem heben sich die Impulse aller Kreise auf</translation>
     </message>
     <message>
         <source>C&amp;harts</source>
@@ -5977,7 +5977,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Which part of the velocity should become e times what it was?</source>
-        <translation>Welcher Anteil der Geschwindigkeit soll das e-fache werden?</translation>
+        <translation>Welcher Anteil der Geschwindigkeit soll das e-Fache werden?</translation>
     </message>
     <message>
         <source>e counts twice</source>
@@ -6374,7 +6374,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Tolerance: a number from 0 is right</source>
-        <translation>Toleranz: richtig ist eine Zahl ab 0</translation>
+        <translation>Toleranz: Richtig ist eine Zahl ab 0</translation>
     </message>
 </context>
 <context>
@@ -6405,7 +6405,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>%1 did not pass: the program stopped</source>
-        <translation>%1 nicht bestanden: Das Programm hielt an</translation>
+        <translation>%1 nicht bestanden: Das Programm brach ab</translation>
     </message>
     <message>
         <source>%1 did not pass: the program does not load</source>
@@ -6464,7 +6464,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The program stopped</source>
-        <translation>Das Programm hielt an</translation>
+        <translation>Das Programm brach ab</translation>
     </message>
     <message>
         <source>Line %1</source>
@@ -6585,7 +6585,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Drop</source>
-        <translation>Fall</translation>
+        <translation>Freier Fall</translation>
     </message>
 </context>
 <context>
@@ -7058,7 +7058,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>this step takes more than %1 million instructions; is there a loop that does not end?</source>
-        <translation>dieser Schritt braucht mehr als %1 Millionen Anweisungen; gibt es eine Schleife, die nicht endet?</translation>
+        <translation>dieser Schritt braucht mehr als %1 Millionen Befehle; gibt es eine Schleife, die nicht endet?</translation>
     </message>
     <message>
         <source>the run was stopped</source>
@@ -7066,7 +7066,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>functions call each other %1 deep; does one call itself without end?</source>
-        <translation>Funktionen rufen einander %1-fach auf; ruft sich eine endlos selbst auf?</translation>
+        <translation>Funktionen rufen einander %1 Ebenen tief auf; ruft sich eine endlos selbst auf?</translation>
     </message>
     <message>
         <source>the program has %1 letters; at most %2 are right</source>
@@ -7326,7 +7326,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>write %1, with a colon</source>
-        <translation>schreibe %1, mit Doppelpunkt</translation>
+        <translation>schreib %1, mit Doppelpunkt</translation>
     </message>
     <message>
         <source>the moment must be a number of seconds from 0 to %1, not %2</source>
@@ -7338,7 +7338,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>the author of this step has fixed this: %1. It stays as the scene has it; take this line out</source>
-        <translation>Der Autor dieses Schritts hat das festgelegt: %1. Es bleibt, wie die Szene es hat; nimm diese Zeile heraus</translation>
+        <translation>dieser Schritt legt das fest: %1. Es bleibt, wie die Szene es hat; nimm diese Zeile heraus</translation>
     </message>
     <message>
         <source>&apos;%1&apos; expected (to close &apos;%2&apos; at line %3) near %4</source>
@@ -7475,7 +7475,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>%p of string.format is not part of the lab&apos;s Lua: an address is another in every run</source>
-        <translation>%p von string.format gehört nicht zum Lua des Labs: eine Adresse ist in jedem Lauf eine andere</translation>
+        <translation>%p von string.format gehört nicht zum Lua des Labs: Eine Adresse ist in jedem Lauf eine andere</translation>
     </message>
     <message>
         <source>how many circles there are is #circles</source>
@@ -7531,11 +7531,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>`%1` is not known yet: it is local and stands below, in line %2; move it up, or leave out `local`</source>
-        <translation>`%1` ist noch nicht bekannt: es ist local und steht weiter unten, in Zeile %2; setz es nach oben oder lass `local` weg</translation>
+        <translation>`%1` ist noch nicht bekannt: Es ist local und steht weiter unten, in Zeile %2; setz es nach oben oder lass `local` weg</translation>
     </message>
     <message>
         <source>`%1` is not known here: it is local to the block of line %2; declare it before that block</source>
-        <translation>`%1` ist hier nicht bekannt: es gilt nur im Block von Zeile %2; vereinbare es vor diesem Block</translation>
+        <translation>`%1` ist hier nicht bekannt: Es gilt nur im Block von Zeile %2; vereinbare es vor diesem Block</translation>
     </message>
     <message>
         <source>Lua has no foreach; write: for _, %1 in ipairs(%2) do … end</source>
@@ -7656,7 +7656,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>drop %1</source>
-        <translation>Fall %1</translation>
+        <translation>Fallversuch %1</translation>
     </message>
     <message>
         <source>contact at %1°</source>
@@ -7676,7 +7676,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>contact %1, in front of a wall</source>
-        <translation>Stoß %1, vor einer Wand</translation>
+        <translation>Berührung %1, vor einer Wand</translation>
     </message>
     <message>
         <source>slowly to one side</source>
@@ -7695,7 +7695,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>the history of your work cannot be kept: %1</source>
-        <translation>die Geschichte deiner Arbeit lässt sich nicht aufheben: %1</translation>
+        <translation>der Verlauf deiner Arbeit lässt sich nicht aufbewahren: %1</translation>
     </message>
     <message>
         <source>there is no address to share with yet</source>
@@ -7743,11 +7743,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>another program has changed this note; yours stays, and the other is kept in git as refs/cradle/notes/%1</source>
-        <translation>ein anderes Programm hat diese Notiz geändert; deine bleibt, und die andere ist in git als refs/cradle/notes/%1 aufgehoben</translation>
+        <translation>ein anderes Programm hat diese Notiz geändert; deine bleibt, und die andere ist in git als refs/cradle/notes/%1 aufbewahrt</translation>
     </message>
     <message>
         <source>this file is no note; it is kept as %1</source>
-        <translation>diese Datei ist keine Notiz; sie ist als %1 aufgehoben</translation>
+        <translation>diese Datei ist keine Notiz; sie ist als %1 aufbewahrt</translation>
     </message>
 </context>
 <context>
@@ -7851,7 +7851,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Changes that were not saved</source>
-        <translation>Änderungen, die nicht gesichert waren</translation>
+        <translation>Änderungen, die nicht gespeichert waren</translation>
     </message>
     <message>
         <source>Take what another program changed</source>
@@ -7988,11 +7988,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
-        <translation>Cradle endete, ohne dieses Lab zu sichern. Deine Änderungen vom %1 sind wieder da; gesichert sind sie noch nicht.</translation>
+        <translation>Cradle endete, ohne dieses Lab zu speichern. Deine Änderungen vom %1 sind wieder da; gespeichert sind sie noch nicht.</translation>
     </message>
     <message>
         <source>Cradle ended before a new lab was saved for the first time.</source>
-        <translation>Cradle endete, bevor ein neues Lab zum ersten Mal gesichert wurde.</translation>
+        <translation>Cradle endete, bevor ein neues Lab zum ersten Mal gespeichert wurde.</translation>
     </message>
     <message>
         <source>Open it</source>
@@ -8212,11 +8212,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>%1 stops in line %2: %3</source>
-        <translation>%1 hält in Zeile %2 an: %3</translation>
+        <translation>%1 bricht in Zeile %2 ab: %3</translation>
     </message>
     <message>
         <source>%1 stops: %2</source>
-        <translation>%1 hält an: %2</translation>
+        <translation>%1 bricht ab: %2</translation>
     </message>
     <message>
         <source>%1 passes.</source>
@@ -8820,7 +8820,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Press Run to see the energy</source>
-        <translation>Drücke Starten, um die Energie zu sehen</translation>
+        <translation>Drücke „Starten“, um die Energie zu sehen</translation>
     </message>
     <message>
         <source>Curves</source>
@@ -8880,7 +8880,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Energy made by the integrator, or lost if negative: total + dissipated in hits − total at the start. So start = total + dissipated − made by the integrator.</source>
-        <translation>Vom Integrator erzeugte Energie, negativ: verlorene: gesamt + in Stößen abgegeben − gesamt am Anfang. Also Anfang = gesamt + abgegeben − vom Integrator erzeugt.</translation>
+        <translation>Vom Integrator erzeugte Energie (negativ: verlorene): Summe + bei Stößen verloren − Summe am Anfang. Also Anfang = Summe + verloren − vom Integrator erzeugt.</translation>
     </message>
     <message>
         <source>total %1</source>
@@ -8896,7 +8896,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Energy made by the program besides the hits, or lost if negative: total + dissipated in hits − total at the start.</source>
-        <translation>Vom Programm außerhalb der Stöße erzeugte Energie, negativ: verlorene: gesamt + in Stößen abgegeben − gesamt am Anfang.</translation>
+        <translation>Vom Programm außerhalb der Stöße erzeugte Energie (negativ: verlorene): Summe + bei Stößen verloren − Summe am Anfang.</translation>
     </message>
     <message>
         <source>by the program</source>
@@ -8960,7 +8960,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The program stopped: %1</source>
-        <translation>Das Programm hielt an: %1</translation>
+        <translation>Das Programm brach ab: %1</translation>
     </message>
 </context>
 <context>
@@ -9276,7 +9276,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Remarks on what was handed in</source>
-        <translation>Bemerkungen zu den Abgaben</translation>
+        <translation>Anmerkungen zu den Abgaben</translation>
     </message>
 </context>
 <context>
@@ -9334,7 +9334,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>&amp;Save the file…</source>
-        <translation>Datei &amp;sichern…</translation>
+        <translation>Datei &amp;speichern…</translation>
     </message>
     <message>
         <source>Every step is judged once more…</source>
@@ -9374,7 +9374,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Save what is handed in</source>
-        <translation>Abgabe sichern</translation>
+        <translation>Abgabe speichern</translation>
     </message>
     <message>
         <source>Work to hand in (*.cradle-work)</source>
@@ -9382,7 +9382,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The values of this lab were drawn by this number</source>
-        <translation>Mit dieser Nummer wurden die Werte dieses Praktikums gezogen</translation>
+        <translation>Mit dieser Nummer wurden die Werte dieses Labs gezogen</translation>
     </message>
 </context>
 <context>
@@ -9393,7 +9393,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Here stands what to do and why. The dots are the steps of the lab; hints wait below the text.</source>
-        <translation>Hier steht, was zu tun ist und warum. Die Punkte sind die Schritte des Praktikums; unter dem Text warten Hinweise.</translation>
+        <translation>Hier steht, was zu tun ist und warum. Die Punkte sind die Schritte des Labs; unter dem Text warten Hinweise.</translation>
     </message>
     <message>
         <source>Your program</source>
@@ -9417,7 +9417,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>What your circles do. At a hit, arrows show the parts of the velocities along and across the normal.</source>
-        <translation>Was deine Kreise tun. Bei einem Stoß zeigen Pfeile die Teile der Geschwindigkeiten längs und quer zur Normalen.</translation>
+        <translation>Was deine Kreise tun. Bei einem Stoß zeigen Pfeile die Anteile der Geschwindigkeiten längs und quer zur Normalen.</translation>
     </message>
     <message>
         <source>Charts</source>
@@ -9433,7 +9433,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
-        <translation>Zieh zu einem beliebigen Augenblick des Laufs, oder drück Nächster Stoß. Die Leertaste startet und hält an.</translation>
+        <translation>Zieh zu einem beliebigen Augenblick des Laufs, oder drück „Nächster Stoß“. Die Leertaste startet und hält an.</translation>
     </message>
     <message>
         <source>Run and check</source>
@@ -9738,7 +9738,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Hit %1 at %2 s, circle %6 on the %7: momentum before %3, after %4, change %5 kg m/s.</source>
-        <translation>Stoß %1 bei %2 s, Kreis %6 gegen %7: Impuls vorher %3, nachher %4, Änderung %5 kg m/s.</translation>
+        <translation>Stoß %1 bei %2 s, Kreis %6 (%7): Impuls vorher %3, nachher %4, Änderung %5 kg m/s.</translation>
     </message>
     <message>
         <source>Momentum (p_x, p_y) of the circles of the hit; p_x alone where there is no p_y</source>
@@ -9746,7 +9746,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Hit %1: circle %2 on the %3, in contact from %4 s to %5 s.</source>
-        <translation>Stoß %1: Kreis %2 am Rand (%3), in Berührung von %4 s bis %5 s.</translation>
+        <translation>Stoß %1: Kreis %2 (%3), in Berührung von %4 s bis %5 s.</translation>
     </message>
     <message>
         <source>Hit %1: circles %2 and %3, in contact from %4 s to %5 s.</source>
@@ -10058,7 +10058,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Press Run to see the momentum</source>
-        <translation>Drücke Starten, um den Impuls zu sehen</translation>
+        <translation>Drücke „Starten“, um den Impuls zu sehen</translation>
     </message>
     <message>
         <source>Momentum to the right</source>
@@ -10089,7 +10089,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>What you noted about this step: it becomes part of your report. Markdown, and formulas as $v = a t$.</source>
-        <translation>Was du dir zu diesem Schritt notierst: Es wird Teil deines Berichts. Markdown, und Formeln wie $v = a t$.</translation>
+        <translation>Was du dir zu diesem Schritt notiert hast: Es wird Teil deines Berichts. Markdown, und Formeln wie $v = a t$.</translation>
     </message>
     <message>
         <source>Notes about this step</source>
@@ -10189,7 +10189,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Press Run to see one quantity against another</source>
-        <translation>Drücke Starten, um eine Größe über einer anderen zu sehen</translation>
+        <translation>Drücke „Starten“, um eine Größe über einer anderen zu sehen</translation>
     </message>
     <message>
         <source>There is nothing to draw: choose other quantities</source>
@@ -10497,7 +10497,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>None of its own: students go on from the solution of the step before. Write here to start from something else.</source>
-        <translation>Kein eigener: Es geht mit der Lösung des vorigen Schritts weiter. Schreibe hier, um mit etwas anderem anzufangen.</translation>
+        <translation>Kein eigenes: Es geht mit der Lösung des vorigen Schritts weiter. Schreib hier, um mit etwas anderem anzufangen.</translation>
     </message>
     <message>
         <source>A whole program with one mistake: it fails by a check, and who wrote the same reads the comment that it begins with.</source>
@@ -10517,7 +10517,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Edit a remark</source>
-        <translation>Bemerkung ändern</translation>
+        <translation>Anmerkung ändern</translation>
     </message>
     <message>
         <source>What the student reads</source>
@@ -10541,7 +10541,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The reference: it should pass every check, with every seed.</source>
-        <translation>Die Referenz: Sie soll jede Prüfung bestehen, mit jedem Startwert.</translation>
+        <translation>Die Musterlösung: Sie soll jede Prüfung bestehen, mit jedem Startwert.</translation>
     </message>
     <message>
         <source>The solution was changed where this difference changes it. Mend the lines after @@ so that they say what stands in the solution now, and what stands here instead.</source>
@@ -10584,7 +10584,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Add a remark</source>
-        <translation>Bemerkung hinzufügen</translation>
+        <translation>Anmerkung hinzufügen</translation>
     </message>
     <message>
         <source>Remove a program</source>
@@ -10624,7 +10624,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>A &amp;remark on work that passes</source>
-        <translation>Eine &amp;Bemerkung zu Arbeiten, die bestehen</translation>
+        <translation>Eine &amp;Anmerkung zu Arbeiten, die bestehen</translation>
     </message>
     <message>
         <source>F2</source>
@@ -10766,7 +10766,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
-        <translation>Drücke „Diesen Schritt nachweisen“: Der Anfang soll an einer Prüfung scheitern, die Lösung mit jedem Startwert bestehen, und jeder Fehler soll scheitern und erkannt werden.</translation>
+        <translation>Drücke „Diesen Schritt nachweisen“: Das Startprogramm soll an einer Prüfung scheitern, die Lösung mit jedem Startwert bestehen, und jeder Fehler soll scheitern und erkannt werden.</translation>
     </message>
     <message>
         <source>line %1</source>
@@ -10860,7 +10860,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>The check counts your answers.</source>
-        <translation>Die Prüfung zählt Ihre Antworten.</translation>
+        <translation>Die Prüfung zählt deine Antworten mit.</translation>
     </message>
     <message>
         <source>%1 (%2 points)</source>
@@ -10879,11 +10879,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Answers; mark the right one</source>
-        <translation>Antworten; markieren Sie die richtige</translation>
+        <translation>Antworten; markiere die richtige</translation>
     </message>
     <message>
         <source>Answers; mark all that are right</source>
-        <translation>Antworten; markieren Sie alle richtigen</translation>
+        <translation>Antworten; markiere alle richtigen</translation>
     </message>
     <message>
         <source>A new question</source>
@@ -10959,7 +10959,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
-        <translation>Dieser Schritt stellt keine Frage, die zählt. Fügen Sie mit dem Plus eine hinzu: eine Zahl mit ihrer Einheit, eine Auswahl, eine Reihenfolge oder einen Text, den Sie selbst lesen.</translation>
+        <translation>Dieser Schritt stellt keine Frage, die zählt. Füge mit dem Plus eine hinzu: eine Zahl mit ihrer Einheit, eine Auswahl, eine Reihenfolge oder einen Text, den du selbst liest.</translation>
     </message>
     <message>
         <source>A number</source>
@@ -10967,11 +10967,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>One choice</source>
-        <translation>Eine Auswahl</translation>
+        <translation>Einfachauswahl</translation>
     </message>
     <message>
         <source>Several choices</source>
-        <translation>Mehrere Auswahlen</translation>
+        <translation>Mehrfachauswahl</translation>
     </message>
     <message>
         <source>An order</source>
@@ -11019,7 +11019,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>What a right answer is worth; of a text, what you may give</source>
-        <translation>Was eine richtige Antwort wert ist; bei einem Text, was Sie geben können</translation>
+        <translation>Was eine richtige Antwort wert ist; bei einem Text, was du geben kannst</translation>
     </message>
     <message>
         <source>A number, or an expression like 2*9.81*5</source>
@@ -11070,7 +11070,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     <name>cradle::RemarkEditor</name>
     <message>
         <source>A student&apos;s program that passes is run beside this one and beside the solution. Where these two differ and the student&apos;s does as this one, the remark is made.</source>
-        <translation>Ein Programm, das besteht, läuft neben diesem und neben der Lösung. Wo diese beiden sich unterscheiden und es dasselbe tut wie dieses, erscheint die Bemerkung.</translation>
+        <translation>Ein Programm, das besteht, läuft neben diesem und neben der Lösung. Wo diese beiden sich unterscheiden und es dasselbe tut wie dieses, erscheint die Anmerkung.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -11086,11 +11086,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Velocities: they differ at a hit</source>
-        <translation>Geschwindigkeiten: sie unterscheiden sich bei einem Stoß</translation>
+        <translation>Geschwindigkeiten: Sie unterscheiden sich bei einem Stoß</translation>
     </message>
     <message>
         <source>Positions: they differ in many steps</source>
-        <translation>Positionen: sie unterscheiden sich in vielen Zeitschritten</translation>
+        <translation>Orte: Sie unterscheiden sich in vielen Zeitschritten</translation>
     </message>
     <message>
         <source>Fields: numbers that the program keeps with the circles, as mass</source>
@@ -11121,7 +11121,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Bericht sichern</translation>
+        <translation>Bericht speichern</translation>
     </message>
     <message>
         <source>Documents (*.pdf);;Web pages (*.html)</source>
@@ -11129,7 +11129,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Gesichert: %1</translation>
+        <translation>Gespeichert: %1</translation>
     </message>
 </context>
 <context>
@@ -11148,7 +11148,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Press Check (Ctrl+Return) when you are done.</source>
-        <translation>Drücke Prüfen (Strg+Eingabe), wenn du fertig bist.</translation>
+        <translation>Drücke „Prüfen“ (Strg+Eingabe), wenn du fertig bist.</translation>
     </message>
     <message>
         <source>Changed since this check</source>
@@ -11228,7 +11228,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Compare with the reference ▸</source>
-        <translation>Mit der Referenz vergleichen ▸</translation>
+        <translation>Mit der Musterlösung vergleichen ▸</translation>
     </message>
     <message>
         <source>The step counts as passed as soon as the run of this work was shown.</source>
@@ -11236,11 +11236,11 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Back to the scene that passed ▸</source>
-        <translation>Zurück zur Szene, die bestand ▸</translation>
+        <translation>Zurück zur bestandenen Szene ▸</translation>
     </message>
     <message>
         <source>Back to the scene that passed</source>
-        <translation>Zurück zur Szene, die bestand</translation>
+        <translation>Zurück zur bestandenen Szene</translation>
     </message>
     <message>
         <source>Sets the values with which you passed this step; Undo takes that back</source>
@@ -11258,7 +11258,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>There is no run yet: press Run, then pin it.</source>
-        <translation>Es gibt noch keinen Lauf: Drücke Starten, dann hefte ihn an.</translation>
+        <translation>Es gibt noch keinen Lauf: Drücke „Starten“, dann hefte ihn an.</translation>
     </message>
     <message>
         <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
@@ -11266,7 +11266,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Save the data of the run</source>
-        <translation>Daten des Laufs sichern</translation>
+        <translation>Daten des Laufs speichern</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -11377,7 +11377,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Press Restart (R) to change the start, or start a new run from here (Ctrl+Shift+R)</source>
-        <translation>Drücke Neustart (R), um den Anfang zu ändern, oder beginne hier einen neuen Lauf (Strg+Umschalt+R)</translation>
+        <translation>Drücke „Neustart“ (R), um den Anfang zu ändern, oder beginne hier einen neuen Lauf (Strg+Umschalt+R)</translation>
     </message>
 </context>
 <context>
@@ -11675,7 +11675,7 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
     <message>
         <source>Nothing moves yet: press Run</source>
-        <translation>Noch bewegt sich nichts: Drücke Starten</translation>
+        <translation>Noch bewegt sich nichts: Drücke „Starten“</translation>
     </message>
     <message>
         <source>%1 · v √(m/m̄) · kT = %2 J</source>
@@ -11839,7 +11839,7 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
     <message>
         <source>What passes the step: a program of the student, the laws of the scene, or either</source>
-        <translation>Womit der Schritt bestanden wird: mit einem eigenen Programm, mit den Gesetzen der Szene oder mit beidem</translation>
+        <translation>Womit der Schritt bestanden wird: mit einem eigenen Programm, mit den Gesetzen der Szene oder gleich womit</translation>
     </message>
 </context>
 <context>
@@ -12091,11 +12091,11 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
     <message>
         <source>program stopped in line %1</source>
-        <translation>Programm hielt in Zeile %1 an</translation>
+        <translation>Programm brach in Zeile %1 ab</translation>
     </message>
     <message>
         <source>program stopped</source>
-        <translation>Programm hielt an</translation>
+        <translation>Programm brach ab</translation>
     </message>
 </context>
 <context>
@@ -12560,7 +12560,7 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
     <message>
         <source>No hits yet: press Run or Next hit</source>
-        <translation>Noch keine Stöße: drücke Starten oder Nächster Stoß</translation>
+        <translation>Noch keine Stöße: Drücke „Starten“ oder „Nächster Stoß“</translation>
     </message>
     <message>
         <source>%1 •</source>
@@ -12665,7 +12665,7 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
     <message>
         <source>Every Check keeps a version of your program here, and so do ten minutes of writing.</source>
-        <translation>Jede Prüfung hebt hier eine Fassung deines Programms auf, und ebenso zehn Minuten Schreiben.</translation>
+        <translation>Jede Prüfung bewahrt hier eine Fassung deines Programms auf, und ebenso zehn Minuten Schreiben.</translation>
     </message>
     <message>
         <source>The version</source>
@@ -12696,14 +12696,14 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <name>cradle::WaysBack</name>
     <message>
         <source>Back to the scene that passed</source>
-        <translation>Zurück zur Szene, die bestand</translation>
+        <translation>Zurück zur bestandenen Szene</translation>
     </message>
 </context>
 <context>
     <name>cradle::WorkDialogs</name>
     <message>
         <source>Nothing of this work is kept on a disk.</source>
-        <translation>Von dieser Arbeit wird nichts auf einem Datenträger aufgehoben.</translation>
+        <translation>Von dieser Arbeit wird nichts auf einem Datenträger aufbewahrt.</translation>
     </message>
     <message>
         <source>Open a step of a lab first.</source>
@@ -12729,21 +12729,21 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     </message>
     <message>
         <source>Another program has made %1 a file that is no program. It is kept as %2; what can be read of it is among the versions of this step.</source>
-        <translation>Ein anderes Programm hat aus %1 eine Datei gemacht, die kein Programm ist. Sie ist als %2 aufgehoben; was davon lesbar ist, steht unter den Fassungen dieses Schritts.</translation>
+        <translation>Ein anderes Programm hat aus %1 eine Datei gemacht, die kein Programm ist. Sie ist als %2 aufbewahrt; was davon lesbar ist, steht unter den Fassungen dieses Schritts.</translation>
     </message>
     <message>
         <source>Your number</source>
-        <translation>Ihre Nummer</translation>
+        <translation>Deine Nummer</translation>
     </message>
     <message>
         <source>This lab draws its values for each student by the number that you hand in with.
 Your number:</source>
-        <translation>Dieses Praktikum zieht seine Werte für jede Person anhand der Nummer, mit der Sie abgeben.
-Ihre Nummer:</translation>
+        <translation>Dieses Lab zieht seine Werte für jede Person anhand der Nummer, mit der du abgibst.
+Deine Nummer:</translation>
     </message>
     <message>
         <source>The values of this lab are those of nobody until you give your number: open the lab again for that.</source>
-        <translation>Die Werte dieses Praktikums gelten für niemanden, bis Sie Ihre Nummer angeben: Öffnen Sie es dazu noch einmal.</translation>
+        <translation>Die Werte dieses Labs gelten für niemanden, bis du deine Nummer angibst: Öffne es dazu noch einmal.</translation>
     </message>
     <message>
         <source>Work that %1 handed in. Run it, check it, read its versions and notes: nothing of it is changed, and nothing of what it says about itself is believed.</source>
@@ -12771,7 +12771,7 @@ Ihre Nummer:</translation>
     </message>
     <message>
         <source>The file of your program is no program, and is left as it is. %1 Whatever you choose, the file is kept beside it.</source>
-        <translation>Die Datei deines Programms ist kein Programm und bleibt, wie sie ist. %1 Was du auch wählst, die Datei wird daneben aufgehoben.</translation>
+        <translation>Die Datei deines Programms ist kein Programm und bleibt, wie sie ist. %1 Was du auch wählst, die Datei wird daneben aufbewahrt.</translation>
     </message>
     <message>
         <source>This step goes on from the one before, which you have not done. You begin with your own program.</source>
@@ -12783,11 +12783,11 @@ Ihre Nummer:</translation>
     </message>
     <message>
         <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
-        <translation>Lies links den Schritt, schreib in der Mitte dein Programm, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+        <translation>Lies links den Schritt, schreib in der Mitte dein Programm, drück „Starten“, um zuzusehen, und „Prüfen“, wenn du fertig bist.</translation>
     </message>
     <message>
         <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
-        <translation>Lies links den Schritt, stell neben der Szene die Werte ein, drück Starten, um zuzusehen, und Prüfen, wenn du fertig bist.</translation>
+        <translation>Lies links den Schritt, stell neben der Szene die Werte ein, drück „Starten“, um zuzusehen, und „Prüfen“, wenn du fertig bist.</translation>
     </message>
     <message>
         <source>Show me around</source>
@@ -12807,11 +12807,11 @@ Ihre Nummer:</translation>
     </message>
     <message>
         <source>What you pass is kept in your history, signed “Student”. It can be signed with your name.</source>
-        <translation>Was besteht, wird in deinem Verlauf aufgehoben, gezeichnet „Student“. Es kann mit deinem Namen gezeichnet werden.</translation>
+        <translation>Was du bestehst, wird in deinem Verlauf aufbewahrt, gezeichnet „Student“. Es kann mit deinem Namen gezeichnet werden.</translation>
     </message>
     <message>
         <source>Give your name…</source>
-        <translation>Namen angeben …</translation>
+        <translation>Namen angeben…</translation>
     </message>
     <message>
         <source>Your name</source>
