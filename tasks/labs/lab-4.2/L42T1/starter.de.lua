@@ -8,5 +8,5 @@ end
 -- Läuft in jedem Schritt; timestep ist, wie lange der Schritt dauert. Hierher gehört, wie sich die
 -- Kreise bewegen.
 function on_update(timestep)
-  -- Bewege circle1 hier: Seine neue Position ist die alte plus der Weg dieses Schritts.
+  -- Bewege circle1 hier: Sein neuer Ort ist der alte plus der Weg dieses Schritts.
 end
