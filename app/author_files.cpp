@@ -9,6 +9,7 @@
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/authoring/student_edition.h"
 #include "tasks/reading/lab_archive.h"
+#include "tasks/text/spoken_locale.h"
 #include "views/author/author_document.h"
 #include "views/author/difference_dialog.h"
 #include "views/author/lab_dialog.h"
@@ -173,8 +174,8 @@ void AuthorFiles::tellRefused()
 {
     const QStringList fields = m_panes.refused();
     if (!fields.isEmpty())
-        m_notices.say(tr("Saved, but for fields that hold no value yet: %1")
-                          .arg(fields.join(QStringLiteral(", "))));
+        m_notices.say(
+            tr("Saved, but for fields that hold no value yet: %1").arg(spokenList(fields)));
 }
 
 bool AuthorFiles::saveAs()
@@ -277,10 +278,10 @@ bool AuthorFiles::mayDropRefused()
     const QStringList fields = m_panes.refused();
     if (fields.isEmpty())
         return true;
-    QMessageBox box(QMessageBox::Question, tr("Drop what was typed?"),
-                    tr("What is typed here is no value yet, and is not in the lab: %1")
-                        .arg(fields.join(QStringLiteral(", "))),
-                    QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    QMessageBox box(
+        QMessageBox::Question, tr("Drop what was typed?"),
+        tr("What is typed here is no value yet, and is not in the lab: %1").arg(spokenList(fields)),
+        QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box.setDefaultButton(QMessageBox::Cancel);
     return box.exec() == QMessageBox::Discard;
 }

@@ -2077,7 +2077,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     </message>
     <message>
         <source>the circles %1</source>
-        <translation>الدوائر ⁨%1⁩</translation>
+        <translation>الدوائر ⁧%1⁩</translation>
     </message>
     <message>
         <source>A number stands for gravity in the motion of %who</source>
@@ -3546,7 +3546,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
-        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدت حين كانت حافتها على بعد بين ⁨%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁨%7⁩ و⁦%8 m⁩. هذه مسافة ثانية كاملة: الخطوة تنقلها ⁦v Δt⁩ لا v.</translation>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدت حين كانت حافتها على بعد بين ⁨%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁨%7⁩ و⁦%8 m⁩. هذه مسافة ثانية كاملة: الخطوة تنقلها ⁦v&#xa0;Δt⁩ لا v.</translation>
     </message>
 </context>
 <context>
@@ -4302,7 +4302,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>It is reached by the calls in line %1.</source>
-        <translation>تصل إليه الاستدعاءات في السطر ⁨%1⁩.</translation>
+        <translation>تصل إليه الاستدعاءات في السطر ⁧%1⁩.</translation>
     </message>
     <message>
         <source>“%1” first goes wrong here, at %2 s.</source>
@@ -5036,6 +5036,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>Lists</name>
+    <message>
+        <source>, </source>
+        <extracomment>between the things of a list</extracomment>
+        <translation>، </translation>
+    </message>
+</context>
+<context>
     <name>Locks</name>
     <message>
         <source>gravity</source>
@@ -5194,7 +5202,7 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>The arguments from number n on; with &apos;#&apos; how many there are</source>
-        <translation>الوسائط من الرقم n فصاعدًا؛ ومع '#' عددها</translation>
+        <translation>الوسائط من الرقم n فصاعدًا؛ ومع &apos;#&apos; عددها</translation>
     </message>
     <message>
         <source>What a value is, as a text: &quot;number&quot;, &quot;vector&quot;, &quot;circle&quot; …</source>
@@ -7162,15 +7170,15 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (%3 expected, got %4)</source>
-        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة '⁨%2⁩' (المتوقع ⁨%3⁩، والموجود ⁨%4⁩)</translation>
+        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (المتوقع ⁨%3⁩، والموجود ⁨%4⁩)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (number has no integer representation)</source>
-        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة '⁨%2⁩' (لا يمكن تمثيل العدد عددًا صحيحًا)</translation>
+        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (لا يمكن تمثيل العدد عددًا صحيحًا)</translation>
     </message>
     <message>
         <source>bad argument #%1 to &apos;%2&apos; (out of range)</source>
-        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة '⁨%2⁩' (خارج المجال)</translation>
+        <translation>وسيط خاطئ رقم ⁨%1⁩ للدالة &apos;⁨%2⁩&apos; (خارج المجال)</translation>
     </message>
     <message>
         <source>number has no integer representation</source>

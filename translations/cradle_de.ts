@@ -5000,6 +5000,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch ein
     </message>
 </context>
 <context>
+    <name>Lists</name>
+    <message>
+        <source>, </source>
+        <extracomment>between the things of a list</extracomment>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
     <name>Locks</name>
     <message>
         <source>gravity</source>

@@ -1030,7 +1030,7 @@
     </message>
     <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
-        <translation>Chocs auxquels les cercles ont réagi : %1 ; il en faut au moins %2</translation>
+        <translation>Chocs auxquels les cercles ont réagi&#xa0;: %1&#xa0;; il en faut au moins %2</translation>
     </message>
     <message>
         <source>Turns at walls, away from the other circle, in %1 s: %2; at least %3 must be seen to judge them</source>
@@ -1736,7 +1736,7 @@ No hit is aimed at anything, yet within a second or two the speeds spread until 
 - Go back on the timeline: the curve is the same all the time, as it depends on the mean energy alone.
 - Set the restitution to 0.99: the gas cools, and the curve moves to the left.
 - The colours say which half a circle comes from. They mix much more slowly than the speeds.</source>
-        <translation>Mille cercles égaux partent à la même vitesse, 2 m/s, dans toutes les directions. Appuyez sur « Lancer » et observez les vitesses en bas à droite.
+        <translation>Mille cercles égaux partent à la même vitesse, 2 m/s, dans toutes les directions. Appuyez sur «&#xa0;Lancer&#xa0;» et observez les vitesses en bas à droite.
 
 Aucun choc n&apos;est visé, et pourtant en une ou deux secondes les vitesses s&apos;étalent jusqu&apos;à se placer sur une courbe, celle de Maxwell et Boltzmann. Aucune énergie ne se perd&#xa0;: seule change la façon dont les cercles la partagent.
 
@@ -1751,7 +1751,7 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
 
 - Go back on the timeline to the blows, and step through them with → and ←.
 - Set the restitution to 1: the bed becomes a gas under a piston, and throws it back.</source>
-        <translation>Un cercle lourd tombe sur un lit de 124 cercles légers, dont chacun a un six-millième de sa masse. Appuyez sur « Lancer » et observez l&apos;énergie.
+        <translation>Un cercle lourd tombe sur un lit de 124 cercles légers, dont chacun a un six-millième de sa masse. Appuyez sur «&#xa0;Lancer&#xa0;» et observez l&apos;énergie.
 
 Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de rapprochement. Pourtant, ici, un cinquième de toute l&apos;énergie disparaît en moins d&apos;un dixième de seconde, surtout en deux coups, à 0.94 s et 0.99 s&#xa0;: des cercles légers pris entre le lourd et le sol sont renvoyés de l&apos;un à l&apos;autre de plus en plus vite, des centaines de fois en un centième de seconde. C&apos;est ainsi que commence un effondrement inélastique.
 
@@ -2009,7 +2009,7 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
 When they touched it was put to %2 m, far from where it came from. Each circle goes back to its *own* old place: look at which one it gets.</source>
         <translation>Un choc déplace le cercle %1
 
-Au contact, il a été mis en %2 m, loin d'où il venait. Chaque cercle retourne à sa *propre* ancienne position : regardez laquelle il reçoit.</translation>
+Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle retourne à sa *propre* ancienne position&#xa0;: regardez laquelle il reçoit.</translation>
     </message>
     <message>
         <source>Nothing happens when it is circle 2 that comes nearer</source>
@@ -2141,7 +2141,7 @@ Au contact, il a été mis en %2 m, loin d'où il venait. Chaque cercle retourne
     </message>
     <message>
         <source>Gravity on %who is %1 times as strong as it should be</source>
-        <translation>Sur %who, la pesanteur vaut %1 fois ce qu'il faudrait</translation>
+        <translation>Sur %who, la pesanteur vaut %1 fois ce qu&apos;il faudrait</translation>
     </message>
     <message>
         <source>Look at the factors in the line that changes the velocity.</source>
@@ -2541,11 +2541,11 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>Only circle 1 feels e</source>
-        <translation>e n'agit que sur le cercle 1</translation>
+        <translation>e n&apos;agit que sur le cercle 1</translation>
     </message>
     <message>
         <source>Only circle 2 feels e</source>
-        <translation>e n'agit que sur le cercle 2</translation>
+        <translation>e n&apos;agit que sur le cercle 2</translation>
     </message>
     <message>
         <source>e changes nothing in the hits that were tried</source>
@@ -2665,7 +2665,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>The parts across the line of centres turn round, not those along it</source>
-        <translation>Ce sont les composantes perpendiculaires à la ligne des centres qui s'inversent, pas celles suivant cette ligne</translation>
+        <translation>Ce sont les composantes perpendiculaires à la ligne des centres qui s&apos;inversent, pas celles suivant cette ligne</translation>
     </message>
     <message>
         <source>The push acts along the line of centres.</source>
@@ -2801,7 +2801,7 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     </message>
     <message>
         <source>The normal is mirrored: the sign of its y is wrong</source>
-        <translation>La normale est reflétée comme dans un miroir : le signe de son y est faux</translation>
+        <translation>La normale est reflétée comme dans un miroir&#xa0;: le signe de son y est faux</translation>
     </message>
     <message>
         <source>The push acts along the velocity of circle 1</source>
@@ -3142,7 +3142,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>A hit puts %who further out (%1)</source>
-        <translation>Un choc place %who plus à l'extérieur (%1)</translation>
+        <translation>Un choc place %who plus à l&apos;extérieur (%1)</translation>
     </message>
     <message>
         <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
@@ -3390,7 +3390,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Là, le cercle 2 réagit comme s'il était %1 fois aussi lourd que le cercle 1 ; comme votre programme le fait dans d'autres scènes, ce serait %2 fois. Une masse calculée avant que le rayon et la masse volumique soient fixés garde l'ancienne valeur : regardez l'ordre dans `on_load`.</translation>
+        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; comme votre programme le fait dans d&apos;autres scènes, ce serait %2 fois. Une masse calculée avant que le rayon et la masse volumique soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
     </message>
     <message>
         <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
@@ -3434,7 +3434,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
-        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a continué au-delà ; à %4 m/s il fait demi-tour. Peu importe à quelle vitesse il vient : ce qui compte, c'est que son bord ait dépassé la paroi, et dans quel sens il va.</translation>
+        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a continué au-delà&#xa0;; à %4 m/s il fait demi-tour. Peu importe à quelle vitesse il vient&#xa0;: ce qui compte, c&apos;est que son bord ait dépassé la paroi, et dans quel sens il va.</translation>
     </message>
     <message>
         <source>Slow hits at the walls give %who another share of the speed back</source>
@@ -3442,7 +3442,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
-        <translation>Avec e = %1, le cercle %2 est arrivé contre %3 à %4 m/s et est reparti avec %5 fois cette vitesse ; il faut %6 fois. Le facteur est le même pour toute vitesse.</translation>
+        <translation>Avec e = %1, le cercle %2 est arrivé contre %3 à %4 m/s et est reparti avec %5 fois cette vitesse&#xa0;; il faut %6 fois. Le facteur est le même pour toute vitesse.</translation>
     </message>
     <message>
         <source>Hits come out right only where circle 2 is to the right of circle 1</source>
@@ -3470,7 +3470,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Started with %1 m/s, one step later it is %2 m from where it was at the start of a run, and %3 m where it starts alike %4 s later. A step *adds* a way to the old position.</source>
-        <translation>Parti à %1 m/s, il est un pas plus tard à %2 m de sa place au début d'une exécution, et à %3 m quand il part de même %4 s plus tard. Un pas *ajoute* un chemin à l'ancienne position.</translation>
+        <translation>Parti à %1 m/s, il est un pas plus tard à %2 m de sa place au début d&apos;une exécution, et à %3 m quand il part de même %4 s plus tard. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
     </message>
     <message>
         <source> (only in y)</source>
@@ -3498,7 +3498,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
-        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l'un dans l'autre ; à %3°, ils réagissent, car le cercle 1 va dans ce sens en travers de la ligne. Si deux cercles se rapprochent, c'est la composante de la vitesse de l'un par rapport à l'autre suivant la ligne des centres qui le dit, pas son x ni son y.</translation>
+        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3°, ils réagissent, car le cercle 1 va dans ce sens en travers de la ligne. Si deux cercles se rapprochent, c&apos;est la composante de la vitesse de l&apos;un par rapport à l&apos;autre suivant la ligne des centres qui le dit, pas son x ni son y.</translation>
     </message>
     <message>
         <source>Where the masses differ, the total momentum is not kept</source>
@@ -3506,7 +3506,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2 the change of v₁ was %3 times that of v₂ where e is %4, and %5 times where it is %6; m₂/m₁ = %7 is right, whatever e is. One push changes both: look at what the two formulas have in common.</source>
-        <translation>Avec ρ₁ = %1 et ρ₂ = %2, le changement de v₁ valait %3 fois celui de v₂ pour e = %4, et %5 fois pour e = %6 ; il faut m₂/m₁ = %7, quel que soit e. Une seule poussée change les deux : regardez ce que les deux formules ont en commun.</translation>
+        <translation>Avec ρ₁ = %1 et ρ₂ = %2, le changement de v₁ valait %3 fois celui de v₂ pour e = %4, et %5 fois pour e = %6&#xa0;; il faut m₂/m₁ = %7, quel que soit e. Une seule poussée change les deux&#xa0;: regardez ce que les deux formules ont en commun.</translation>
     </message>
     <message>
         <source>e acts only after the first hit</source>
@@ -3514,7 +3514,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
-        <translation>Avec e = %1, deux cercles se sont séparés avec %2 fois la vitesse de leur rencontre ; lors de leur second choc, au retour d'une paroi, c'était %3 fois. Regardez quand votre réponse apprend ce que vaut e : cela vient trop tard.</translation>
+        <translation>Avec e = %1, deux cercles se sont séparés avec %2 fois la vitesse de leur rencontre&#xa0;; lors de leur second choc, au retour d&apos;une paroi, c&apos;était %3 fois. Regardez quand votre réponse apprend ce que vaut e&#xa0;: cela vient trop tard.</translation>
     </message>
     <message>
         <source>The walls turn %who round a whole second too early</source>
@@ -3522,7 +3522,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
-        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a fait demi-tour quand son bord en était distant de %4 à %5 m ; à %6 m/s, de %7 à %8 m. C'est le chemin d'une seconde : un pas le fait avancer de v Δt, pas de v.</translation>
+        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a fait demi-tour quand son bord en était distant de %4 à %5 m&#xa0;; à %6 m/s, de %7 à %8 m. C&apos;est le chemin d&apos;une seconde&#xa0;: un pas le fait avancer de v Δt, pas de v.</translation>
     </message>
 </context>
 <context>
@@ -4103,7 +4103,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>a text of at most %1 letters</source>
-        <translation>un texte d'au plus %1 caractères</translation>
+        <translation>un texte d&apos;au plus %1 caractères</translation>
     </message>
     <message>
         <source>a number from %1 to %2</source>
@@ -4330,7 +4330,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>this is no secret: at least %1 letters are right</source>
-        <translation>ce n'est pas un secret : il faut au moins %1 caractères</translation>
+        <translation>ce n&apos;est pas un secret&#xa0;: il faut au moins %1 caractères</translation>
     </message>
     <message>
         <source>no process to judge in can be started: %1</source>
@@ -5000,6 +5000,14 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>Lists</name>
+    <message>
+        <source>, </source>
+        <extracomment>between the things of a list</extracomment>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
     <name>Locks</name>
     <message>
         <source>gravity</source>
@@ -5640,7 +5648,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>A run stops at the step of every collision; Run goes on</source>
-        <translation>L'exécution s'arrête au pas de chaque choc ; « Lancer » la poursuit</translation>
+        <translation>L&apos;exécution s&apos;arrête au pas de chaque choc&#xa0;; «&#xa0;Lancer&#xa0;» la poursuit</translation>
     </message>
     <message>
         <source>Slow &amp;motion around hits</source>
@@ -7399,7 +7407,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>the program has %1 letters; at most %2 are right</source>
-        <translation>le programme a %1 caractères ; au plus %2 conviennent</translation>
+        <translation>le programme a %1 caractères&#xa0;; au plus %2 conviennent</translation>
     </message>
     <message>
         <source>there is no memory to run a program</source>
@@ -7988,7 +7996,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Cradle ended without saving this lab. Your changes of %1 are back; they are not saved yet.</source>
-        <translation>Cradle s'est terminé sans enregistrer ce TP. Vos changements du %1 sont revenus ; ils ne sont pas encore enregistrés.</translation>
+        <translation>Cradle s&apos;est terminé sans enregistrer ce TP. Vos changements du %1 sont revenus&#xa0;; ils ne sont pas encore enregistrés.</translation>
     </message>
     <message>
         <source>Cradle ended before a new lab was saved for the first time.</source>
@@ -8836,7 +8844,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Press Run to see the energy</source>
-        <translation>Appuyez sur « Lancer » pour voir l&apos;énergie</translation>
+        <translation>Appuyez sur «&#xa0;Lancer&#xa0;» pour voir l&apos;énergie</translation>
     </message>
     <message>
         <source>Curves</source>
@@ -9433,7 +9441,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Drag to any moment of the run, or press Next hit. Space runs and pauses.</source>
-        <translation>Glissez jusqu'à n'importe quel instant de l'exécution, ou appuyez sur « Choc suivant ». Espace lance et met en pause.</translation>
+        <translation>Glissez jusqu&apos;à n&apos;importe quel instant de l&apos;exécution, ou appuyez sur «&#xa0;Choc suivant&#xa0;». Espace lance et met en pause.</translation>
     </message>
     <message>
         <source>Run and check</source>
@@ -9506,7 +9514,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>wheel; values alone with Ctrl</source>
-        <translation>molette ; les valeurs seules avec Ctrl</translation>
+        <translation>molette&#xa0;; les valeurs seules avec Ctrl</translation>
     </message>
     <message>
         <source>Move along</source>
@@ -10058,7 +10066,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Press Run to see the momentum</source>
-        <translation>Appuyez sur « Lancer » pour voir la quantité de mouvement</translation>
+        <translation>Appuyez sur «&#xa0;Lancer&#xa0;» pour voir la quantité de mouvement</translation>
     </message>
     <message>
         <source>Momentum to the right</source>
@@ -10176,7 +10184,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Press Run to see one quantity against another</source>
-        <translation>Appuyez sur « Lancer » pour voir une grandeur en fonction d&apos;une autre</translation>
+        <translation>Appuyez sur «&#xa0;Lancer&#xa0;» pour voir une grandeur en fonction d&apos;une autre</translation>
     </message>
     <message>
         <source>There is nothing to draw: choose other quantities</source>
@@ -10694,7 +10702,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Press Verify this step: the starter should fail by a check, the solution pass with every seed, and each mistake fail and be recognised.</source>
-        <translation>Appuyez sur « Vérifier cette étape » : le programme de départ doit échouer à une vérification, le corrigé réussir avec chaque graine, et chaque erreur échouer et être reconnue.</translation>
+        <translation>Appuyez sur «&#xa0;Vérifier cette étape&#xa0;»&#xa0;: le programme de départ doit échouer à une vérification, le corrigé réussir avec chaque graine, et chaque erreur échouer et être reconnue.</translation>
     </message>
     <message>
         <source>Not as it should be: %1</source>
@@ -11152,7 +11160,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Press Check (Ctrl+Return) when you are done.</source>
-        <translation>Appuyez sur « Vérifier » (Ctrl+Entrée) quand vous avez fini.</translation>
+        <translation>Appuyez sur «&#xa0;Vérifier&#xa0;» (Ctrl+Entrée) quand vous avez fini.</translation>
     </message>
     <message>
         <source>Changed since this check</source>
@@ -11258,7 +11266,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>There is no run yet: press Run, then pin it.</source>
-        <translation>Il n&apos;y a pas encore d&apos;exécution&#xa0;: appuyez sur « Lancer », puis épinglez-la.</translation>
+        <translation>Il n&apos;y a pas encore d&apos;exécution&#xa0;: appuyez sur «&#xa0;Lancer&#xa0;», puis épinglez-la.</translation>
     </message>
     <message>
         <source>Your program sets values of circles when it is loaded: the new run starts with those.</source>
@@ -11362,7 +11370,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Press Restart (R) to change the start, or start a new run from here (Ctrl+Shift+R)</source>
-        <translation>Appuyez sur « Recommencer » (R) pour changer le départ, ou démarrez une nouvelle exécution d&apos;ici (Ctrl+Maj+R)</translation>
+        <translation>Appuyez sur «&#xa0;Recommencer&#xa0;» (R) pour changer le départ, ou démarrez une nouvelle exécution d&apos;ici (Ctrl+Maj+R)</translation>
     </message>
     <message>
         <source>Move %1</source>
@@ -11634,7 +11642,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>up to the commit of %1</source>
-        <translation>jusqu'au commit du %1</translation>
+        <translation>jusqu&apos;au commit du %1</translation>
     </message>
     <message>
         <source>nothing yet</source>
@@ -11675,7 +11683,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Nothing moves yet: press Run</source>
-        <translation>Rien ne bouge encore&#xa0;: appuyez sur « Lancer »</translation>
+        <translation>Rien ne bouge encore&#xa0;: appuyez sur «&#xa0;Lancer&#xa0;»</translation>
     </message>
     <message>
         <source>%1 · v √(m/m̄) · kT = %2 J</source>
@@ -12561,7 +12569,7 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     </message>
     <message>
         <source>No hits yet: press Run or Next hit</source>
-        <translation>Pas encore de chocs : appuyez sur « Lancer » ou sur « Choc suivant »</translation>
+        <translation>Pas encore de chocs&#xa0;: appuyez sur «&#xa0;Lancer&#xa0;» ou sur «&#xa0;Choc suivant&#xa0;»</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -12783,11 +12791,11 @@ Votre numéro&#xa0;:</translation>
     </message>
     <message>
         <source>Read the step on the left, write your program in the middle, press Run to watch, and Check when you are done.</source>
-        <translation>Lisez l'étape à gauche, écrivez votre programme au milieu, appuyez sur « Lancer » pour observer, et sur « Vérifier » quand vous avez fini.</translation>
+        <translation>Lisez l&apos;étape à gauche, écrivez votre programme au milieu, appuyez sur «&#xa0;Lancer&#xa0;» pour observer, et sur «&#xa0;Vérifier&#xa0;» quand vous avez fini.</translation>
     </message>
     <message>
         <source>Read the step on the left, set the values beside the scene, press Run to watch, and Check when you are done.</source>
-        <translation>Lisez l'étape à gauche, réglez les valeurs à côté de la scène, appuyez sur « Lancer » pour observer, et sur « Vérifier » quand vous avez fini.</translation>
+        <translation>Lisez l&apos;étape à gauche, réglez les valeurs à côté de la scène, appuyez sur «&#xa0;Lancer&#xa0;» pour observer, et sur «&#xa0;Vérifier&#xa0;» quand vous avez fini.</translation>
     </message>
     <message>
         <source>Show me around</source>

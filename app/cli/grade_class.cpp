@@ -10,6 +10,7 @@
 #include "tasks/grading/raw_folder.h"
 #include "tasks/grading/student_seed.h"
 #include "tasks/reading/lab_archive.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -56,7 +57,7 @@ QString differenceOf(const ResultsVersion &there, const ResultsVersion &now)
         parts.append(ClassText::tr("the secret"));
     if (there.language != now.language)
         parts.append(ClassText::tr("the language"));
-    return parts.join(QStringLiteral(", "));
+    return spokenList(parts);
 }
 
 /// Grades the class that was asked for.

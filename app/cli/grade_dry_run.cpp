@@ -3,6 +3,7 @@
 #include "app/cli/grade_class.h"
 
 #include "tasks/grading/handed_in.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -50,8 +51,7 @@ QString shortText(const QStringList &work)
     }
     if (programs > 0)
         others.prepend(DryRunText::tr("programs: %1").arg(programs));
-    return others.isEmpty() ? DryRunText::tr("nothing to judge")
-                            : others.join(QStringLiteral(", "));
+    return others.isEmpty() ? DryRunText::tr("nothing to judge") : spokenList(others);
 }
 
 QByteArray jsonOf(const ClassFolder &found, const QJsonArray &students)

@@ -9,6 +9,7 @@
 #include "tasks/proof/lab_verifier.h"
 #include "tasks/proof/verified_text.h"
 #include "tasks/reading/lab_archive.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -36,7 +37,7 @@ QString summary(const Lab &lab, const std::vector<VerifiedTask> &tasks, qint64 m
         VerifyText::tr("%n mistakes", nullptr, static_cast<int>(mistakes)),
         VerifyText::tr("%n problems", nullptr, static_cast<int>(problems)),
         VerifyText::tr("%1 s").arg(static_cast<double>(milliseconds) / 1000.0, 0, 'f', 1)};
-    return parts.join(QStringLiteral(", ")) + QLatin1Char('\n');
+    return spokenList(parts) + QLatin1Char('\n');
 }
 
 /// Rewrites programs in the lab's folder, and says how many lines that saved.

@@ -4,6 +4,7 @@
 
 #include "model/files/json_schema.h"
 #include "tasks/grading/student_result_json.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 
@@ -20,9 +21,9 @@ constexpr qsizetype mostNamed = 10; ///< of a list that is told
 QString listText(const QStringList &names)
 {
     if (names.size() <= mostNamed)
-        return names.join(QStringLiteral(", "));
+        return spokenList(names);
     return MergeText::tr("%1 and %2 more")
-        .arg(QStringList(names.mid(0, mostNamed)).join(QStringLiteral(", ")))
+        .arg(spokenList(names.mid(0, mostNamed)))
         .arg(names.size() - mostNamed);
 }
 

@@ -7,6 +7,7 @@
 #include "tasks/lab_report/lab_report.h"
 #include "tasks/lab_report/markdown_html.h"
 #include "tasks/text/quantity_text.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 
@@ -83,9 +84,9 @@ void writeFinding(QString &html, const StepResult &step, const Finding &finding,
         QStringList lines;
         for (const int line : finding.calls)
             lines.append(QString::number(line));
-        html += paragraph(StudentReportText::tr("It is reached by the calls in line %1.")
-                              .arg(lines.join(QStringLiteral(", "))),
-                          "muted");
+        html += paragraph(
+            StudentReportText::tr("It is reached by the calls in line %1.").arg(spokenList(lines)),
+            "muted");
     }
     html += QStringLiteral("</div>\n");
     for (const StepMoment &moment : step.moments) {

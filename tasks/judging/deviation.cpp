@@ -3,6 +3,7 @@
 #include "tasks/judging/deviation.h"
 
 #include "tasks/judging/likeness.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 
@@ -54,7 +55,7 @@ QString circleNames(const std::vector<int> &circles, std::size_t all)
     QStringList numbers;
     for (const int circle : circles)
         numbers.append(QString::number(circle + 1));
-    return SayText::tr("the circles %1").arg(numbers.join(QStringLiteral(", ")));
+    return SayText::tr("the circles %1").arg(spokenList(numbers));
 }
 
 TimestepPattern patternOf(const std::vector<std::pair<double, double>> &factors)

@@ -3,6 +3,7 @@
 #include "tasks/judging/wall_comparison.h"
 
 #include "tasks/checks/motion.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ QString WallComparison::namesOf(const std::set<Wall> &walls)
     QStringList names;
     for (const Wall wall : walls)
         names.append(motion::wallName(wall));
-    return names.join(QStringLiteral(", "));
+    return spokenList(names);
 }
 
 QString WallComparison::inBrackets(const std::set<Wall> &walls)

@@ -6,6 +6,7 @@
 #include "tasks/runs/meeting_scene.h"
 #include "tasks/runs/scene_spec.h"
 #include "tasks/runs/shot_scene.h"
+#include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
 
@@ -124,7 +125,7 @@ private:
         QStringList name{what, timestepText(preset.timestep)};
         if (m_spec.restitutions.size() > 1)
             name.append(QStringLiteral("e = %1").arg(preset.restitution));
-        m_variants.push_back({name.join(QStringLiteral(", ")), preset, m_spec.duration, true});
+        m_variants.push_back({spokenList(name), preset, m_spec.duration, true});
     }
 
     void addFlight(int i)

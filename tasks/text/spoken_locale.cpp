@@ -2,7 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/text/spoken_locale.h"
 
+#include <QCoreApplication>
+
 namespace cradle {
+
+namespace {
+
+struct PartedText {
+    Q_DECLARE_TR_FUNCTIONS(Lists)
+};
+
+} // namespace
 
 QLocale spokenLocale(const QString &language)
 {
@@ -16,6 +26,12 @@ QLocale spokenLocale(const QString &language)
             return locale;
     }
     return usual;
+}
+
+QString spokenList(const QStringList &things)
+{
+    //: between the things of a list
+    return things.join(PartedText::tr(", "));
 }
 
 QString directionAttribute(const QString &language)

@@ -25,6 +25,7 @@ private slots:
     void seedChangesNothingButTheScenes();
     void ownLabIsRead();
     void languageIsTakenUp();
+    void listHasTheCommaOfTheLanguage();
     void namesNeedNotBeText_data();
     void namesNeedNotBeText();
 
@@ -209,6 +210,21 @@ void TestCliCheck::languageIsTakenUp()
     QVERIFY2(german[1].contains(QStringLiteral("verlangt ist (2, 0) m/s")), qPrintable(german[1]));
     QVERIFY(told("fr")[1].contains(QStringLiteral("il faut (2, 0) m/s")));
     QCOMPARE(told("en")[0], QStringLiteral("Circle 1 starts with (2, 0) m/s"));
+}
+
+/// The scene is named by its throw and its timestep.
+void TestCliCheck::listHasTheCommaOfTheLanguage()
+{
+    const QString program = m_folder.filePath(text("far.lua"));
+    QVERIFY(!cradle::writeFile(
+        program, "function on_update(t)\n"
+                 "  circle1.position = circle1.position + circle1.velocity * t * 2\nend\n"));
+    const auto told = [&](const char *language) {
+        return runCli({text("check"), text("L42T1"), program, text("--language"), text(language)})
+            .out;
+    };
+    QVERIFY(told("de").contains(text(", Zeitschritt ")));
+    QVERIFY(told("ar").contains(text("، خطوة زمنية ")));
 }
 
 void TestCliCheck::namesNeedNotBeText_data()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/chart_pane.h"
 
+#include "tasks/text/spoken_locale.h"
 #include "views/charts/frame_throttle.h"
 #include "views/charts/pin_legend.h"
 #include "views/charts/quiet_button.h"
@@ -248,7 +249,7 @@ void ChartPane::describe()
         values.append(text);
     if (m_plot->note())
         values.append(m_plot->note()->sentence());
-    m_plot->setAccessibleDescription(values.join(QStringLiteral(", ")));
+    m_plot->setAccessibleDescription(spokenList(values));
 }
 
 std::optional<HitNote> ChartPane::hitNote() const
