@@ -707,7 +707,7 @@
     </message>
     <message>
         <source>How often walls must turn the circles round, together, in every scene</source>
-        <translation>Wie oft Wände die Kreise umdrehen müssen, zusammen, in jeder Szene</translation>
+        <translation>Wie oft Kreise an Wänden umkehren müssen, zusammen, in jeder Szene</translation>
     </message>
     <message>
         <source>Visits at least</source>
@@ -743,7 +743,7 @@
     </message>
     <message>
         <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
-        <translation>Die Kreise kommen langsam an Boden und Decke, früher oder später in einem Schritt: Was eine Wand langsamer verlässt, als es kam, wird leicht zweimal umgedreht</translation>
+        <translation>Die Kreise kommen langsam an Boden und Decke, früher oder später in einem Schritt: Was eine Wand langsamer verlässt, als es kam, kehrt leicht zweimal um</translation>
     </message>
     <message>
         <source>The circles fall onto the floor</source>
@@ -786,7 +786,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 was already leaving the %3 with %4 m/s and was turned round again; it should be left alone</source>
-        <translation>In Schritt %1 bewegte sich Kreis %2 schon mit %4 m/s von %3 weg und wurde noch einmal umgedreht; er soll in Ruhe gelassen werden</translation>
+        <translation>In Schritt %1 bewegte sich Kreis %2 schon mit %4 m/s von %3 weg und kehrte noch einmal um; er soll in Ruhe gelassen werden</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s</source>
@@ -3115,9 +3115,9 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <source>Circle %1 is turned round again while it leaves the wall
 
 Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>Kreis %1 wird noch einmal umgedreht, während er die Wand verlässt
+        <translation>Kreis %1 kehrt noch einmal um, während er die Wand verlässt
 
-Sein Rand war noch draußen, er bewegte sich schon nach innen und wurde noch einmal in die Wand gedreht: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setz ihn nach innen zurück, oder frag, wohin er sich bewegt, bevor du ihn umdrehst.</translation>
+Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch einmal um, in die Wand hinein: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setz ihn nach innen zurück, oder frag, wohin er sich bewegt, bevor du ihn umkehren lässt.</translation>
     </message>
     <message>
         <source>In your own scene the first step changes the velocity of %who</source>
