@@ -104,7 +104,7 @@ void TestTaskPaneResult::messagesKeepUnitsTogether_data()
         QTest::newRow(name) << plain << shown;
     };
     row("vector", QStringLiteral("at (2, -0.5) m/s it"),
-        QStringLiteral("at (2, −0.5)\u00a0m\u2060/\u2060s it"));
+        QStringLiteral("at (2,\u00a0−0.5)\u00a0m\u2060/\u2060s it"));
     row("momentum", QStringLiteral("522.7 kg m/s."),
         QStringLiteral("522.7\u00a0kg\u00a0m\u2060/\u2060s."));
     row("acceleration", QStringLiteral("9.81 m/s²"), QStringLiteral("9.81\u00a0m\u2060/\u2060s²"));

@@ -14,7 +14,10 @@ QString withUnits(QString text)
         "(?<=[\\d)]) (kg m/s|kg m²/s|kg|kg/m³|m/s²|m/s|mm|cm|m|ms|s|J|N|%|px)(?![\\w/²³])"));
     static const QRegularExpression product(QStringLiteral("\\bkg m(?=\\W|$)"));
     static const QRegularExpression over(QStringLiteral("\\b(m²?|g)/(s|cm)"));
+    static const QRegularExpression vector(
+        QStringLiteral("(?<=\\()(−?[\\d.]+(?:e[-−+]?\\d+)?), (?=−?[\\d.]+(?:e[-−+]?\\d+)?\\))"));
     text.replace(minus, QStringLiteral("−"));
+    text.replace(vector, QStringLiteral("\\1,\u00a0"));
     text.replace(unit, QStringLiteral("\u00a0\\1"));
     text.replace(product, QStringLiteral("kg\u00a0m"));
     text.replace(over, QStringLiteral("\\1\u2060/\u2060\\2")); // word joiners

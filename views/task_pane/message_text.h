@@ -6,8 +6,8 @@
 
 namespace cradle {
 
-/// \p text as it is set in a pane: a unit breaks neither from its number nor inside, and a minus
-/// before a number is a minus sign.
+/// \p text as it is set in a pane: a unit breaks neither from its number nor inside, a vector
+/// not between its numbers, and a minus before a number is a minus sign.
 QString withUnits(QString text);
 
 /// \p message as a sentence: as of withUnits(), and with a full stop unless it ends a sentence.
