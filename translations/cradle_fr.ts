@@ -100,7 +100,7 @@
     </message>
     <message>
         <source>&amp;Step</source>
-        <translation>&amp;Étape</translation>
+        <translation>Étap&amp;e</translation>
     </message>
     <message>
         <source>&amp;Add</source>
@@ -5732,7 +5732,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Zoom to the hi&amp;t</source>
-        <translation>Zoom sur le ch&amp;oc</translation>
+        <translation>&amp;Zoom sur le choc</translation>
     </message>
     <message>
         <source>Show the whole s&amp;quare</source>
@@ -5788,7 +5788,7 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>Into the progra&amp;m</source>
-        <translation>A&amp;ller dans le programme</translation>
+        <translation>Aller dans le pr&amp;ogramme</translation>
     </message>
     <message>
         <source>&amp;Panes</source>
