@@ -1078,7 +1078,7 @@
     </message>
     <message>
         <source>In this scene no velocity changed in a hit of the circles, so there is none to judge</source>
-        <translation>في هذا المشهد لم تتغيّر أي سرعة في تصادم بين الدائرتين، فلا تصادم يمكن الحكم عليه</translation>
+        <translation>في هذا المشهد لم تتغيّر أي سرعة في أي تصادم بين الدائرتين، فلا تصادم يمكن الحكم عليه</translation>
     </message>
     <message>
         <source>In this scene no hit changed the velocities of the circles; one should</source>

@@ -1058,7 +1058,7 @@
     </message>
     <message>
         <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
-        <translation>In Schritt %1 änderten beide Kreise ihre Geschwindigkeiten, obwohl sie weder eine Wand noch einander berührten: ihre Ränder waren noch %2 m auseinander</translation>
+        <translation>In Schritt %1 änderten beide Kreise ihre Geschwindigkeiten, obwohl sie weder eine Wand noch einander berührten: Ihre Ränder waren noch %2 m auseinander</translation>
     </message>
     <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
@@ -1070,23 +1070,23 @@
     </message>
     <message>
         <source>In this scene no velocity changed in a hit of the circles, so there is none to judge</source>
-        <translation>In dieser Szene änderte sich bei einem Stoß der Kreise keine Geschwindigkeit; es gibt also keinen zu beurteilen</translation>
+        <translation>In dieser Szene änderte sich bei keinem Stoß der Kreise eine Geschwindigkeit; es gibt also keinen zu beurteilen</translation>
     </message>
     <message>
         <source>In this scene no hit changed the velocities of the circles; one should</source>
-        <translation>In dieser Szene änderte kein Stoß die Geschwindigkeiten der Kreise; einer soll es</translation>
+        <translation>In dieser Szene änderte kein Stoß die Geschwindigkeiten der Kreise; einer soll das tun</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
-        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m, wie nach keinem der hier richtigen Verfahren; nach dem nächsten davon, %4, sind es %5 m</translation>
+        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m, wie bei keinem der hier richtigen Verfahren; beim nächstliegenden, %4, sind es %5 m</translation>
     </message>
     <message>
         <source>. In this step %1 does so</source>
-        <translation>. In diesem Schritt tut das auch das Verfahren %1</translation>
+        <translation>. In diesem Schritt macht es das Verfahren %1 so</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn die stimmt</translation>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: Sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn die stimmt</translation>
     </message>
 </context>
 <context>

@@ -818,7 +818,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
-        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 avec %4 m/s, depuis le pas %5&#xa0;; la paroi doit le renvoyer aussitôt</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5&#xa0;; la paroi doit le renvoyer aussitôt</translation>
     </message>
     <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
@@ -1054,7 +1054,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
-        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 avec %4 m/s, depuis le pas %5&#xa0;; avec e = %6, la paroi doit réagir aussitôt</translation>
+        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5&#xa0;; avec e = %6, la paroi doit réagir aussitôt</translation>
     </message>
     <message>
         <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
