@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace cradle {
@@ -18,6 +19,8 @@ constexpr double converged = 1e-16;
 constexpr int maxRounds = 200;
 /// A shortfall below this share of the largest wish is rounding.
 constexpr double satisfied = 1e-13;
+/// A push that gives its own contact no more than this share repeats what others do.
+constexpr double repeats = 1e-11;
 
 /// Up to so many contacts, the matrix is written down and finished by elimination, O(n³).
 constexpr std::size_t few = 64;
@@ -41,17 +44,18 @@ double coupling(const Contact &i, const Contact &j, std::span<const double> inve
 }
 
 /// Solves the rows and columns of \p matrix (n × n) that \p active names, by elimination with
-/// pivots. \return false if they are singular
-bool eliminate(std::span<const double> matrix, std::size_t n, std::span<const Contact> contacts,
+/// pivots. \param right  of all n rows \return false if they are singular
+bool eliminate(std::span<const double> matrix, std::span<const double> right,
                const std::vector<std::size_t> &active, std::vector<double> &solution)
 {
+    const std::size_t n = right.size();
     const std::size_t m = active.size();
     std::vector<double> rows(m * (m + 1));
     const auto at = [&](std::size_t r, std::size_t c) -> double & { return rows[r * (m + 1) + c]; };
     for (std::size_t r = 0; r < m; ++r) {
         for (std::size_t c = 0; c < m; ++c)
             at(r, c) = matrix[active[r] * n + active[c]];
-        at(r, m) = contacts[active[r]].change;
+        at(r, m) = right[active[r]];
     }
     for (std::size_t c = 0; c < m; ++c) {
         std::size_t pivot = c;
@@ -77,50 +81,130 @@ bool eliminate(std::span<const double> matrix, std::size_t n, std::span<const Co
     return true;
 }
 
-/// Long chains converge slowly; from where the iteration has come, the set of contacts that push
-/// is nearly right, and a few exchanges find it. Leaves the impulses as they are if it fails.
-void finishDirectly(std::span<const double> matrix, std::span<Contact> contacts)
+/// The search for the set of contacts that push: one after the other, who lacks most is pushed
+/// until it lacks nothing, while those of the set keep what they have; whose push thereby comes to
+/// an end leaves the set. A contact that only repeats what others do (in a heap that is held from
+/// all sides many do) takes the place of one of them. Every push takes energy, so it ends.
+/// Source: Goldfarb, Idnani: A numerically stable dual method for solving strictly convex quadratic
+/// programs. Math. Program. 27 (1983) 1.
+class DualActiveSet
 {
-    const std::size_t n = contacts.size();
-    std::vector<std::size_t> active;
-    double wish = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (contacts[i].impulse > 0.0)
-            active.push_back(i);
-        wish = std::max(wish, std::abs(contacts[i].change));
+public:
+    DualActiveSet(std::span<const double> matrix, std::span<const double> changes)
+        : m_matrix(matrix)
+        , m_changes(changes)
+    {
+        for (const double change : changes)
+            m_size = std::max(m_size, std::abs(change));
     }
-    std::vector<double> solution;
-    for (std::size_t exchange = 0; exchange < 4 * n; ++exchange) {
-        if (!eliminate(matrix, n, contacts, active, solution))
-            return;
-        const auto worst = std::min_element(solution.begin(), solution.end());
-        if (worst != solution.end() && *worst < 0.0) {
-            active.erase(active.begin() + (worst - solution.begin()));
-            continue;
+
+    /// Begins with those that push in \p contacts, if none of them repeats the others.
+    void begin(std::span<const Contact> contacts)
+    {
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            if (contacts[i].impulse > 0.0)
+                m_active.push_back(i);
         }
-        std::vector<double> impulses(n, 0.0);
-        for (std::size_t a = 0; a < active.size(); ++a)
-            impulses[active[a]] = solution[a];
-        std::size_t missing = n;
-        double least = -satisfied * wish;
-        for (std::size_t i = 0; i < n; ++i) {
-            double surplus = -contacts[i].change;
-            for (std::size_t j = 0; j < n; ++j)
-                surplus += matrix[i * n + j] * impulses[j];
-            const bool isActive = std::find(active.begin(), active.end(), i) != active.end();
-            if (!isActive && surplus < least) {
-                least = surplus;
-                missing = i;
+        while (eliminate(m_matrix, m_changes, m_active, m_pushes)) {
+            const auto worst = std::min_element(m_pushes.begin(), m_pushes.end());
+            if (worst == m_pushes.end() || *worst >= 0.0)
+                return;
+            m_active.erase(m_active.begin() + (worst - m_pushes.begin()));
+        }
+        m_active.clear();
+        m_pushes.clear();
+    }
+
+    /// \return whether all is fulfilled; else it cannot be
+    bool run()
+    {
+        const std::size_t n = m_changes.size();
+        for (std::size_t steps = 0; steps < 4 * n; ++steps) {
+            std::size_t worst = n;
+            double most = satisfied * m_size;
+            for (std::size_t i = 0; i < n; ++i) {
+                if (std::find(m_active.begin(), m_active.end(), i) == m_active.end()
+                    && lackOf(i) > most) {
+                    worst = i;
+                    most = lackOf(i);
+                }
             }
+            if (worst == n)
+                return true;
+            if (!takeIn(worst, most))
+                return false;
         }
-        if (missing == n) {
-            for (std::size_t i = 0; i < n; ++i)
-                contacts[i].impulse = impulses[i];
-            return;
-        }
-        active.push_back(missing);
+        return false;
     }
-}
+
+    void write(std::span<Contact> contacts) const
+    {
+        for (Contact &contact : contacts)
+            contact.impulse = 0.0;
+        for (std::size_t a = 0; a < m_active.size(); ++a)
+            contacts[m_active[a]].impulse = m_pushes[a];
+    }
+
+private:
+    /// What contact \p i lacks of its change.
+    double lackOf(std::size_t i) const
+    {
+        double lack = m_changes[i];
+        for (std::size_t a = 0; a < m_active.size(); ++a)
+            lack -= m_matrix[i * m_changes.size() + m_active[a]] * m_pushes[a];
+        return lack;
+    }
+
+    /// Pushes contact \p i, which lacks \p lack, until it lacks nothing. \return false if nothing
+    /// can bring it there
+    bool takeIn(std::size_t i, double lack)
+    {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const std::size_t n = m_changes.size();
+        double push = 0.0;
+        while (true) {
+            // What a unit push at i takes from those of the set, and gives i itself.
+            std::vector<double> column(n);
+            for (std::size_t k = 0; k < n; ++k)
+                column[k] = m_matrix[k * n + i];
+            std::vector<double> taken;
+            if (!eliminate(m_matrix, column, m_active, taken))
+                return false;
+            double given = 1.0;
+            for (std::size_t a = 0; a < m_active.size(); ++a)
+                given -= m_matrix[i * n + m_active[a]] * taken[a];
+            const double whole = given > repeats ? lack / given : infinity;
+            double bounded = infinity;
+            std::size_t first = 0;
+            for (std::size_t a = 0; a < m_active.size(); ++a) {
+                if (taken[a] > 0.0 && m_pushes[a] / taken[a] < bounded) {
+                    bounded = m_pushes[a] / taken[a];
+                    first = a;
+                }
+            }
+            const double more = std::min(whole, bounded);
+            if (more == infinity)
+                return false;
+            for (std::size_t a = 0; a < m_active.size(); ++a)
+                m_pushes[a] = std::max(0.0, m_pushes[a] - more * taken[a]);
+            push += more;
+            if (whole <= bounded) {
+                m_active.push_back(i);
+                m_pushes.push_back(push);
+                return true;
+            }
+            lack -= more * given;
+            m_active.erase(m_active.begin() + static_cast<std::ptrdiff_t>(first));
+            m_pushes.erase(m_pushes.begin() + static_cast<std::ptrdiff_t>(first));
+        }
+    }
+
+    std::span<const double> m_matrix;
+    std::span<const double> m_changes;
+    double m_size = 0.0;               ///< of the largest change
+    std::vector<std::size_t> m_active; ///< the set
+    std::vector<double> m_pushes;      ///< of each in it
+};
 
 } // namespace
 
@@ -170,7 +254,15 @@ void solveContacts(std::span<Contact> contacts, std::span<const double> inverseM
         if (moved <= converged * largest)
             return;
     }
-    finishDirectly(matrix, contacts);
+    // Long chains converge slowly, but from where the iteration has come, the set of contacts that
+    // push is nearly right.
+    std::vector<double> changes;
+    for (const Contact &contact : contacts)
+        changes.push_back(contact.change);
+    DualActiveSet set({matrix.data(), n * n}, changes);
+    set.begin(contacts);
+    if (set.run())
+        set.write(contacts);
 }
 
 } // namespace cradle

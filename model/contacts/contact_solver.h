@@ -28,7 +28,7 @@ struct Contact {
 /// for e = 1 it keeps the kinetic energy, for every e the momentum. The same equation with
 /// accelerations gives the forces between bodies that rest on each other.
 /// Solved by projected Jacobi iteration, so that symmetric data give symmetric results, and where
-/// that is slow (long chains) finished by elimination; more than 64 by solveManyContacts().
+/// that is slow (long chains) finished by a dual active set; more than 64 by solveManyContacts().
 /// What follows from it, and which contacts are of one moment: docs/physics.md, 5.
 /// Source: Glocker, Pfeiffer: Multiple Impacts with Friction in Rigid Multibody Systems, 1995.
 /// \param inverseMasses  1/m of every body, 1/kg

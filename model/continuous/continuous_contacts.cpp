@@ -20,6 +20,8 @@ constexpr double stillElastic = 1e-9;
 /// Source: McNamara, Young: Inelastic collapse in a one-dimensional gas, 1992.
 constexpr int collapse = 30;
 constexpr double samePlace = 1e-4;
+/// Of half the width of the square: how far the rounding of a time carries a circle into a wall.
+constexpr double rounded = 1e-14;
 
 } // namespace
 
@@ -126,9 +128,11 @@ void ContinuousStep::meet(const Event &event)
     Contact contact{.a = event.a, .b = event.wall ? -1 : event.b};
     if (event.wall) {
         hit.normal = outwardNormal(static_cast<Wall>(event.b));
-        // Rounding must not leave it a hair beyond the wall.
+        // Rounding must not leave it a hair beyond the wall. What a pile has left there stays: it
+        // has not the energy to be lifted.
         const double beyond = dot(a.position, hit.normal) - (m_rules->halfWidth - a.radius);
-        a.position -= beyond * hit.normal;
+        if (beyond <= rounded * m_rules->halfWidth || beyond > deepOverlap * a.radius)
+            a.position -= beyond * hit.normal;
     } else {
         const Circle &b = m_world->circles[at(event.b)];
         hit.normal = normalized(b.position - a.position);

@@ -12,8 +12,8 @@ namespace {
 
 /// A gap below this share of the lengths concerned is touching: some roundings of a position.
 constexpr double touching = 1e-9;
-/// An overlap that rounding, or the pushes of a large pile, have left shrinks by this share in a
-/// step, and by no more than so much of the radii: what that lifts it had let fall.
+/// An overlap deeper than any that this timing leaves shrinks by this share in a step, and by no
+/// more than so much of the radii.
 constexpr double repaired = 0.1;
 constexpr double mostRepaired = 1e-4;
 
@@ -230,13 +230,15 @@ double ContinuousStep::gapOf(const Contact &contact) const
     return length(b.position - a.position) - a.radius - b.radius;
 }
 
-/// At which speed a contact may close until the step ends, m/s; where they overlap it shall part.
+/// At which speed a contact may close until the step ends, m/s; where they overlap deeply it shall
+/// part.
 double ContinuousStep::freeSpeed(const Contact &contact) const
 {
     const double gap = gapOf(contact);
-    if (gap >= 0.0)
-        return gap / (m_dt - m_now);
-    return std::max(repaired * gap, -mostRepaired * m_world->circles[at(contact.a)].radius) / m_dt;
+    const double radius = m_world->circles[at(contact.a)].radius;
+    if (-gap > deepOverlap * radius)
+        return std::max(repaired * gap, -mostRepaired * radius) / m_dt;
+    return std::max(0.0, gap) / (m_dt - m_now);
 }
 
 /// Whether two are so near, and close so slowly if at all, that, one of them held, gravity keeps

@@ -195,7 +195,7 @@ void ContinuousStep::findWallEvents(std::size_t i)
             continue;
         const double speed = dot(path.velocity, n);
         // What is held ends at the wall, but for roundedTime.
-        if (m_bodies[i].drifts && gap - end * speed >= -roundedTime * radius)
+        if (m_bodies[i].drifts && std::max(0.0, gap) - end * speed >= -roundedTime * radius)
             continue;
         if (const auto s = timeToLine(gap, speed, dot(path.curve, n), end))
             push({m_now + *s, static_cast<int>(i), static_cast<int>(wall), true,

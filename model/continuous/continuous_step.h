@@ -34,6 +34,10 @@ public:
     [[nodiscard]] const std::vector<std::pair<int, int>> &restingPairs() const { return m_resting; }
 
 private:
+    /// Of the radius: a deeper overlap is none that this timing leaves, and is parted. One that a
+    /// pile has left stays as it is, for to part two takes energy that nobody has.
+    static constexpr double deepOverlap = 1e-3;
+
     struct Body {
         double since = 0.0;  ///< s into the step: how far this circle has come
         Vec2 acceleration{}; ///< gravity less what holds it, m/s²

@@ -12,10 +12,11 @@ namespace {
 /// Of the smallest radius: what is left between two that touch, so that the error of a push makes
 /// them no overlap,
 constexpr double apartness = 1e-3;
-/// the error of a push in the end, in a step,
-constexpr double exactness = 5e-5;
 /// and an overlap that may be.
 constexpr double bearable = 5e-5;
+/// The error of a push in the end, in a step: so much of it for the square of the number of
+/// circles, for few of them cost little however exact, and no more than an overlap that may be.
+constexpr double exactness = 5e-10;
 
 } // namespace
 
@@ -43,7 +44,8 @@ Pile::Pile(const Rules &ruled, std::span<const Circle> unsorted,
     inverseMasses.resize(unsorted.size() + std::size(allWalls), 0.0);
     apart = apartness * least;
     borne = bearable * least;
-    tolerance = exactness * least / dt;
+    const auto whole = static_cast<double>(unsorted.size());
+    tolerance = std::min(exactness * whole * whole, bearable) * least / dt;
 }
 
 double Pile::gapBetween(Body a, Body b, std::span<const Vec2> places) const

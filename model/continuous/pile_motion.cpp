@@ -9,7 +9,9 @@ namespace cradle {
 
 namespace {
 
-/// A larger overlap than may be shrinks, this share of it in a step.
+/// An overlap of more than so many that may be, which no run of its own leaves, shrinks by this
+/// share in a step, whatever energy that takes.
+constexpr double deepOverlap = 20.0;
 constexpr double repairedOfPile = 0.1;
 /// Sweeps over the contacts in a step, at most: as many as set so many contacts right, for what a
 /// heavy circle does to light ones takes many, and in a small pile they cost little. But so many in
@@ -35,11 +37,12 @@ int mostSweeps(const Pile &pile, std::size_t contacts)
     return std::max(surely, mostSetRight / static_cast<int>(std::max<std::size_t>(contacts, 1)));
 }
 
-/// At which speed a contact may close in the step, m/s; where they overlap it shall part.
+/// At which speed a contact may close in the step, m/s; where they overlap deeply it shall part.
 double limitOf(const Pile &pile, double gap)
 {
-    const double overlap = std::min(0.0, gap + pile.borne);
-    return (std::max(0.0, gap - pile.apart) + repairedOfPile * overlap) / pile.dt;
+    if (gap < -deepOverlap * pile.borne)
+        return repairedOfPile * (gap + pile.borne) / pile.dt;
+    return std::max(0.0, gap - pile.apart) / pile.dt;
 }
 
 /// Whether the two are so near and so slow that any push may make them meet.
