@@ -24,6 +24,8 @@ private slots:
     void lengthForTheRadiusIsTold();
     void openWallsAreTold();
     void oneSpeedIsNoneOfTheirOwn();
+    void slowHitsAreTold();
+    void slowAnswerIsTold();
 
 private:
     using Law = std::function<double(double)>; ///< of e
@@ -190,6 +192,34 @@ void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
     QVERIFY(!bodyOfWalls(wallsOf(wallWays[1], "c.radius", "1.7 / math.abs(v)"),
                          text("The walls give both circles a speed of their own"), "L42T12")
                  .isEmpty());
+}
+
+/// Slower than half of the distance from the middle they go on.
+void TestToldWalls::slowHitsAreTold()
+{
+    QString walls = wallsOf(wallWays[1], "c.radius", "restitution");
+    walls.replace(QLatin1String("s * v > 0"), QLatin1String("s * v > 0 and math.abs(v) > 0.7"));
+    const QString body =
+        bodyOfWalls(walls, text("Slow hits at the walls do not turn both circles round"));
+    const auto n = numbersIn(body, "Circle # came to the * with # m/s and went on past it; with # "
+                                   "m/s it is turned round.");
+    QVERIFY2(n.size() == 3, qPrintable(body));
+    QCOMPARE(n[0], 1.0);
+    QVERIFY(n[1] > 0.0 && n[1] < 0.7);
+    QCOMPARE(n[2], 2.9); // the first of all throws
+}
+
+void TestToldWalls::slowAnswerIsTold()
+{
+    const QString body = bodyOfWalls(
+        wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 0.7 and restitution or 0.9)"),
+        text("Slow hits at the walls give both circles another share of the speed back"));
+    const auto n = numbersIn(body, "With e = # circle # came to the * with # m/s and left it with "
+                                   "# times that speed; # times is right.");
+    QVERIFY2(n.size() == 5, qPrintable(body));
+    QVERIFY(n[2] > 0.0 && n[2] < 0.7);
+    QVERIFY(isNear(n[3], 0.9));
+    QVERIFY(isNear(n[4], n[0]));
 }
 
 QTEST_GUILESS_MAIN(TestToldWalls)

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_words.h"
+
+#include "tests/scenes.h"
+#include "tests/told_numbers.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::told;
+
+/// What findings tell of motion that does not go on from the circle's own place and velocity.
+class TestToldCarried : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void velocityThatIsSetIsTold_data();
+    void velocityThatIsSetIsTold();
+    void velocityOfAnotherIsTold();
+    void slowOnesThatStopAreTold();
+    void placeThatIsMultipliedIsTold_data();
+    void placeThatIsMultipliedIsTold();
+    void anotherThatMovesItIsTold();
+    void momentOfTheRunIsTold_data();
+    void momentOfTheRunIsTold();
+
+private:
+    [[nodiscard]] QString body(const QString &program, const char *headline) const
+    {
+        const LawBench bench(task(QStringLiteral("L42T4")));
+        const MeasuredLaws own(&program, bench.ground);
+        return bodyOf(flightDeviations(own.flight(), bench.right.flight(), bench.ground),
+                      QString::fromUtf8(headline));
+    }
+    /// Of a program that does so to every circle.
+    [[nodiscard]] QString bodyOfMove(const char *move, const char *headline) const
+    {
+        return body(written({.move = QString::fromUtf8(move)}, structures[0]), headline);
+    }
+};
+
+void TestToldCarried::velocityThatIsSetIsTold_data()
+{
+    QTest::addColumn<QString>("velocity");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<Vec2>("made"); // NaN: as it was, or by gravity
+    const double kept = scenes::notANumber;
+    QTest::newRow("both parts") << "vec(1.5, -2)"
+                                << "The velocity of both circles is set anew in every step"
+                                << Vec2{1.5, -2.0};
+    QTest::newRow("to rest") << "vec(0, 0)"
+                             << "The velocity of both circles is taken away at once, far from "
+                                "everything"
+                             << Vec2{kept, kept};
+    QTest::newRow("x") << "vec(2, c.velocity.y + gravity.y * h)"
+                       << "The x of the velocity of both circles is set anew in every step"
+                       << Vec2{2.0, kept};
+    QTest::newRow("y") << "vec(c.velocity.x, -3)"
+                       << "The y of the velocity of both circles is set anew in every step"
+                       << Vec2{kept, -3.0};
+}
+
+void TestToldCarried::velocityThatIsSetIsTold()
+{
+    QFETCH(QString, velocity);
+    QFETCH(QString, headline);
+    QFETCH(Vec2, made);
+    const QString said = bodyOfMove(
+        (QStringLiteral("c.position = c.position + c.velocity * h c.velocity = ") + velocity)
+            .toUtf8()
+            .constData(),
+        headline.toUtf8().constData());
+    auto n = numbersIn(said, "Started with (#, #) m/s, it has (#, #) m/s one step later");
+    if (std::isnan(made.x) && std::isnan(made.y)) {
+        n = numbersIn(said, "Started with (#, #) m/s, away from every wall and every other "
+                            "circle, it rests one step later.");
+        QVERIFY2(n.size() == 2, qPrintable(said));
+        return;
+    }
+    QVERIFY2(n.size() == 4, qPrintable(said));
+    QVERIFY(std::isnan(made.x) ? isNear(n[2], n[0]) : isNear(n[2], made.x));
+    QVERIFY(std::isnan(made.y) ? isNear(n[3], n[1] - 9.81 / 60.0) : isNear(n[3], made.y));
+    QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[2], n[3]}));
+}
+
+/// Circle 2 has what circle 1 had, and what gravity adds.
+void TestToldCarried::velocityOfAnotherIsTold()
+{
+    const QString said =
+        body(QStringLiteral("function on_update(h) local v = circle1.velocity "
+                            "circle1.position = circle1.position + v * h "
+                            "circle2.position = circle2.position + circle2.velocity * h "
+                            "circle1.velocity = v + gravity * h "
+                            "circle2.velocity = v + gravity * h end"),
+             "The velocity of circle 2 is taken from circle 1");
+    const auto n = numbersIn(said, "one step later it has what circle # had, and what gravity "
+                                   "adds: started with (#, #) m/s, it has (#, #) m/s.");
+    QVERIFY2(n.size() == 5, qPrintable(said));
+    QCOMPARE(n[0], 1.0);
+    QVERIFY(!isNear(Vec2{n[1], n[2] - 9.81 / 60.0}, Vec2{n[3], n[4]}));
+}
+
+void TestToldCarried::slowOnesThatStopAreTold()
+{
+    const QString said = bodyOfMove("c.position = c.position + c.velocity * h "
+                                    "if c.velocity:length() < 4 then c.velocity = vec(0, 0) end "
+                                    "c.velocity = c.velocity + gravity * h",
+                                    "Away from every wall a low speed of both circles is taken");
+    const auto n = numbersIn(said, "Started with (#, #) m/s, it has (#, #) m/s one step later");
+    QVERIFY2(n.size() == 4, qPrintable(said));
+    QVERIFY(std::hypot(n[0], n[1]) < 4.0);
+    QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.0, -9.81 / 60.0}));
+}
+
+void TestToldCarried::placeThatIsMultipliedIsTold_data()
+{
+    QTest::addColumn<QString>("factor");
+    QTest::addColumn<double>("share");
+    QTest::newRow("half") << "0.5" << 0.5;
+    QTest::newRow("three times") << "3" << 3.0;
+    QTest::newRow("the timestep") << "h" << 1.0 / 60.0;
+}
+
+void TestToldCarried::placeThatIsMultipliedIsTold()
+{
+    QFETCH(QString, factor);
+    QFETCH(double, share);
+    const QString said = bodyOfMove(QStringLiteral("c.position = c.position * %1 + c.velocity * h "
+                                                   "c.velocity = c.velocity + gravity * h")
+                                        .arg(factor)
+                                        .toUtf8()
+                                        .constData(),
+                                    "The old place of both circles is multiplied, too");
+    const auto n = numbersIn(said, "Two that start 1 m apart, at rest, are # m apart one step of "
+                                   "1/# s later.");
+    QVERIFY2(n.size() == 2, qPrintable(said));
+    QVERIFY(isNear(n[0], share));
+    QCOMPARE(n[1], 60.0);
+}
+
+void TestToldCarried::anotherThatMovesItIsTold()
+{
+    const QString said =
+        body(QStringLiteral("function on_update(h) "
+                            "circle2.position = circle2.position + circle1.velocity * h "
+                            "circle1.position = circle1.position + circle1.velocity * h "
+                            "circle1.velocity = circle1.velocity + gravity * h "
+                            "circle2.velocity = circle2.velocity + gravity * h end"),
+             "The velocity of circle 1 moves circle 2");
+    QVERIFY2(said.startsWith(QString::fromUtf8("In a scene in which circle 1 alone has a velocity, "
+                                               "it is circle 2 that goes on by v Δt.")),
+             qPrintable(said));
+    const QString follows =
+        body(QStringLiteral("function on_update(h) for _, c in ipairs(circles) do "
+                            "c.position = c.position + c.velocity * h "
+                            "c.velocity = c.velocity + gravity * h end "
+                            "circle2.position = circle1.position end"),
+             "Every step puts circle 2 where circle 1 is");
+    QVERIFY(!follows.isEmpty());
+}
+
+void TestToldCarried::momentOfTheRunIsTold_data()
+{
+    QTest::addColumn<QString>("place");
+    QTest::addColumn<QString>("velocity");
+    QTest::addColumn<QString>("pattern");
+    QTest::newRow("way") << "c.velocity * time"
+                         << "gravity * h"
+                         << "Started with (#, #) m/s, it goes (#, #) m in the second step of a run "
+                            "and (#, #) m where it starts alike # s later, with the same Δt.";
+    QTest::newRow("turn") << "c.velocity * h"
+                          << "gravity * time"
+                          << "Started with (#, #) m/s, it has (#, #) m/s after the first step of a "
+                             "run and (#, #) m/s where it starts alike # s later.";
+}
+
+void TestToldCarried::momentOfTheRunIsTold()
+{
+    QFETCH(QString, place);
+    QFETCH(QString, velocity);
+    QFETCH(QString, pattern);
+    const QString said =
+        bodyOfMove(QStringLiteral("c.position = c.position + %1 c.velocity = c.velocity + %2")
+                       .arg(place, velocity)
+                       .toUtf8()
+                       .constData(),
+                   "The step of both circles depends on how long the run has lasted");
+    const auto n = numbersIn(said, pattern.toUtf8().constData());
+    QVERIFY2(n.size() == 7, qPrintable(said));
+    QVERIFY(n[6] > 0.0);
+    const Vec2 start{n[0], n[1]};
+    const Vec2 first{n[2], n[3]};
+    const Vec2 late{n[4], n[5]};
+    if (place.endsWith(QLatin1String("time"))) {
+        // As many times as far as the time is longer.
+        QVERIFY(length(late) > 2.0 * length(first));
+        QVERIFY(std::abs(cross(normalized(first), normalized(late))) < 0.02);
+    } else {
+        QVERIFY(isNear(first.x, start.x) && isNear(late.x, start.x));
+        QVERIFY(late.y - start.y < 2.0 * (first.y - start.y) - 0.01);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestToldCarried)
+#include "test_told_carried.moc"

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/pair_words.h"
+
+#include "tests/told_numbers.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::told;
+
+/// The numbers that findings on meetings tell that are not answered, or otherwise than others.
+class TestToldMeetings : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void comingOfOneIsTold_data();
+    void comingOfOneIsTold();
+    void sideOfTheOtherIsTold_data();
+    void sideOfTheOtherIsTold();
+    void slowMeetingIsTold();
+    void partingIsTold();
+    void laterHitIsTold_data();
+    void laterHitIsTold();
+    void slowReboundIsTold();
+    void oldMassesOfTheOwnSceneAreTold();
+    void oldRestitutionOfTheOwnSceneIsTold();
+
+private:
+    /// What is said in \p step of a program with that hit, below \p headline.
+    [[nodiscard]] QString body(const char *step, const HitLaw &law, const QString &headline,
+                               const QString &start = {}, std::size_t structure = 0) const
+    {
+        const LawBench bench(task(QLatin1String(step)));
+        const QString program = written({.start = start,
+                                         .walls = wallsOf(wallWays[1], "c.radius", "1"),
+                                         .hit = hitOf(hitWays[0], law)},
+                                        structures[structure]);
+        const MeasuredLaws own(&program, bench.ground);
+        const QString contact =
+            bodyOf(contactDeviations(own.pair(), bench.right.pair(), bench.ground), headline);
+        return contact.isEmpty() ? bodyOf(
+                   responseDeviations(own.pair(), bench.right.pair(), bench.ground), headline)
+                                 : contact;
+    }
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+const QString e = QStringLiteral("restitution");
+const QString equal = QStringLiteral("1"); // masses
+
+double radians(double degrees)
+{
+    return degrees * std::atan(1.0) / 45.0;
+}
+
+} // namespace
+
+void TestToldMeetings::comingOfOneIsTold_data()
+{
+    QTest::addColumn<QString>("approach");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<bool>("isOne"); // who comes unanswered
+    QTest::newRow("circle 1") << "q.velocity:dot(n) < 0"
+                              << "Nothing happens when it is circle 1 that comes nearer" << true;
+    QTest::newRow("circle 2") << "p.velocity:dot(n) > 0"
+                              << "Nothing happens when it is circle 2 that comes nearer" << false;
+}
+
+void TestToldMeetings::comingOfOneIsTold()
+{
+    QFETCH(QString, approach);
+    QFETCH(QString, headline);
+    QFETCH(bool, isOne);
+    const QString said = body("L42T14", {.approach = approach}, headline);
+    const auto n = numbersIn(said, "Along the line of centres circle 1 had # m/s and circle 2 # "
+                                   "m/s, so they came nearer with # m/s, and ran into each other");
+    QVERIFY2(n.size() == 3, qPrintable(said));
+    QVERIFY(n[2] > 1.0 && std::abs(n[2] - (n[0] - n[1])) < 0.02);
+    // The one catches up with the other.
+    QVERIFY(isOne ? n[1] >= 0.0 : n[0] <= 0.0);
+}
+
+void TestToldMeetings::sideOfTheOtherIsTold_data()
+{
+    QTest::addColumn<QString>("touch");
+    QTest::addColumn<QString>("approach");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<Vec2>("side"); // of circle 1 on which 2 is answered, or to which 1 moves
+    const QString all = text("d:length() < reach");
+    const auto row = [&](const char *part, const char *where, Vec2 side) {
+        QTest::newRow(part) << all + QStringLiteral(" and ") + text(part) << text("closing > 0")
+                            << text("Hits come out right only where circle 2 is ") + text(where)
+                            << side;
+    };
+    row("d.x > 0", "to the right of circle 1", {1, 0});
+    row("d.x < 0", "to the left of circle 1", {-1, 0});
+    row("d.y > 0", "above circle 1", {0, 1});
+    row("d.y < 0", "below circle 1", {0, -1});
+    QTest::newRow("moving to the right")
+        << all << text("p.velocity.x > q.velocity.x")
+        << text("Hits are answered only where circle 1 moves to the right of circle 2") << Vec2{};
+}
+
+void TestToldMeetings::sideOfTheOtherIsTold()
+{
+    QFETCH(QString, touch);
+    QFETCH(QString, approach);
+    QFETCH(QString, headline);
+    QFETCH(Vec2, side);
+    const QString said =
+        body("L42T12", {.touch = touch, .approach = approach, .mass = equal}, headline);
+    const auto n =
+        numbersIn(said, "With their line of centres, from 1 to 2, at #° they came nearer "
+                        "with # m/s and ran into each other; at #° they are answered");
+    QVERIFY2(n.size() == 3, qPrintable(said));
+    QVERIFY(isNear(n[1], 1.2)); // as all meetings from far do
+    const auto along = [&](double degrees) {
+        return dot(side, Vec2{std::cos(radians(degrees)), std::sin(radians(degrees))});
+    };
+    if (side == Vec2{})
+        return;
+    QVERIFY(along(n[0]) < 0.0);
+    QVERIFY(along(n[2]) > 0.1);
+}
+
+/// From a tenth of a metre in a second on they are answered.
+void TestToldMeetings::slowMeetingIsTold()
+{
+    const QString said = body("L42T12", {.approach = text("closing > 0.1"), .mass = equal},
+                              text("Circles that come nearer slowly are not answered"));
+    const auto n = numbersIn(
+        said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
+    QVERIFY2(n.size() == 2, qPrintable(said));
+    QVERIFY(n[0] > 0.0 && n[0] < 0.1);
+    QVERIFY(isNear(n[1], 1.2));
+}
+
+void TestToldMeetings::partingIsTold()
+{
+    const QString said = body("L42T12", {.approach = text("closing < 0"), .mass = equal},
+                              text("The circles answer when they part, not when they meet"));
+    const auto n = numbersIn(said, "They ran into each other until their centres were # m apart");
+    QVERIFY2(n.size() == 1, qPrintable(said));
+    QVERIFY(n[0] >= 0.0 && n[0] < 0.4); // of two radii of 0.2 m
+}
+
+void TestToldMeetings::laterHitIsTold_data()
+{
+    QTest::addColumn<QString>("given"); // e of a hit; `used` is so from the first on
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<double>("first");
+    QTest::addColumn<double>("second");
+    QTest::newRow("late") << "(used and restitution or 1)"
+                          << "e acts only after the first hit" << 1.0 << 0.5;
+    QTest::newRow("another") << "(used and 0.9 or restitution)"
+                             << "A later hit is answered with another e" << 0.5 << 0.9;
+}
+
+void TestToldMeetings::laterHitIsTold()
+{
+    QFETCH(QString, given);
+    QFETCH(QString, headline);
+    QFETCH(double, first);
+    QFETCH(double, second);
+    HitLaw law{.e = given};
+    law.answer += QStringLiteral(" used = true");
+    const QString said = body("L42T16", law, headline, QStringLiteral("used = false"));
+    const auto n = numbersIn(said, "With e = # two circles parted with # times the speed that they "
+                                   "met with; in their second hit, back from a wall, it was # "
+                                   "times.");
+    QVERIFY2(n.size() == 3, qPrintable(said));
+    QCOMPARE(n[0], 0.5);
+    QVERIFY(isNear(n[1], first));
+    QVERIFY(isNear(n[2], second));
+}
+
+void TestToldMeetings::slowReboundIsTold()
+{
+    const QString said =
+        body("L42T16", {.e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")},
+             text("Circles that meet slowly are answered in another way"));
+    const auto n = numbersIn(said, "With e = #: Velocities");
+    QCOMPARE(n, std::vector<double>{0.5});
+    const auto fast = numbersIn(said, "Where they meet with # m/s, it comes out right.");
+    QVERIFY2(fast.size() == 1 && fast[0] > 1.0, qPrintable(said));
+    const auto parts = numbersIn(
+        said, "circle 1 came with # along, # across, circle 2 with # along, # across; they left "
+              "with # along, # across and with # along, # across; right is # along, # across and "
+              "# along, # across.");
+    QVERIFY2(parts.size() == 12, qPrintable(said));
+    const double closing = parts[0] - parts[2];
+    QVERIFY(closing > 0.0 && closing < 0.1);
+    QVERIFY(std::abs(parts[6] - parts[4] - closing) < 1e-3);        // e = 1
+    QVERIFY(std::abs(parts[10] - parts[8] - 0.5 * closing) < 1e-3); // e = 0.5
+}
+
+/// Worked out before the radius was set: then both had the same.
+void TestToldMeetings::oldMassesOfTheOwnSceneAreTold()
+{
+    const QString start = QStringLiteral(
+        "gravity = vec(0, 0) circle1.radius, circle2.radius = 0.2, 0.2 "
+        "circle1.density, circle2.density = 4, 4 "
+        "mass = {} for i, c in ipairs(circles) do mass[i] = c.density * c.radius ^ 3 end "
+        "circle2.radius = 0.3 "
+        "circle1.position, circle1.velocity = vec(-1, 0.1), vec(2, 0) "
+        "circle2.position, circle2.velocity = vec(1, 0), vec(0, 0)");
+    const QString said =
+        body("L42T16", {.mass = text("mass[c.index]"), .e = e},
+             text("The masses in your own scene are not those of its circles"), start);
+    const auto n =
+        numbersIn(said, "There circle 2 answers as if it were # times as heavy as circle "
+                        "1; with its radii # and # m and densities # and # it is # "
+                        "times.");
+    QVERIFY2(n.size() == 6, qPrintable(said));
+    QVERIFY(isNear(n[0], 1.0));
+    QCOMPARE(n[1], 0.2);
+    QCOMPARE(n[2], 0.3);
+    QVERIFY(n[3] == 4.0 && n[4] == 4.0);
+    QVERIFY(isNear(n[5], 3.375));
+}
+
+void TestToldMeetings::oldRestitutionOfTheOwnSceneIsTold()
+{
+    const QString start =
+        QStringLiteral("restitution = 1 kept = restitution restitution = 0.5 gravity = vec(0, 0) "
+                       "circle1.position, circle1.velocity = vec(-1, 0.1), vec(2, 0) "
+                       "circle2.position, circle2.velocity = vec(1, 0), vec(0, 0)");
+    const QString said =
+        body("L42T16", {.e = text("kept")},
+             text("In your own scene the hit does not use the e that it has"), start);
+    const auto n = numbersIn(said, "They met with # m/s and parted with # m/s, which is e = #, and "
+                                   "`restitution` is #.");
+    QVERIFY2(n.size() == 4, qPrintable(said));
+    QVERIFY(n[0] > 1.5 && n[0] < 2.0); // nearly all of 2 m/s
+    QVERIFY(isNear(n[1], n[0]));
+    QVERIFY(isNear(n[2], 1.0));
+    QCOMPARE(n[3], 0.5);
+}
+
+QTEST_GUILESS_MAIN(TestToldMeetings)
+#include "test_told_meetings.moc"
