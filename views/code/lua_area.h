@@ -4,6 +4,8 @@
 
 #include <Qsci/qsciscintilla.h>
 
+#include <functional>
+
 namespace cradle {
 
 class LuaLexer;
@@ -52,6 +54,9 @@ public:
     [[nodiscard]] int textLeft() const;
     void setTextSize(int zoom);
 
+public slots:
+    void paste() override;
+
 signals:
     void helpRequested();
     void escapePressed();
@@ -65,6 +70,9 @@ protected:
     void contextMenuEvent(QContextMenuEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
     bool focusNextPrevChild(bool next) override;
+    void dropEvent(QDropEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    [[nodiscard]] QMimeData *toMimeData(const QByteArray &text, bool rectangular) const override;
 
 private:
     void setUpDocument();
@@ -76,6 +84,7 @@ private:
     void reindent(int character);
     void noteWriting(int position, int kind, const char *text, int length);
     void markRuns();
+    void takeIn(const QMimeData *source, const std::function<void()> &write);
     [[nodiscard]] bool beginsRun(const QString &written) const;
     void toggleComment();
 

@@ -116,6 +116,8 @@ void LuaArea::keyPressEvent(QKeyEvent *event)
         return;
     if (isReturn(event->key()) && plain && !isReadOnly())
         return breakLine();
+    if (event->matches(QKeySequence::Paste))
+        return paste();
     // The first of words from the right and the marks round them are one step of Undo.
     const bool isRun = beginsRun(event->text());
     if (isRun)

@@ -4,9 +4,14 @@
 #include "views/code/lua_area.h"
 #include "views/code/run_marks.h"
 
+#include <QClipboard>
+#include <QDropEvent>
+#include <QGuiApplication>
+#include <QMimeData>
+
 namespace cradle {
 
-/// What is typed, pasted or dropped; what Undo brings back has its marks.
+/// What is typed within words; what is undone has its marks.
 void LuaArea::noteWriting(int /*position*/, int kind, const char *text, int length)
 {
     const bool isWritten = (kind & SC_MOD_INSERTTEXT) != 0 && (kind & SC_PERFORMED_USER) != 0;
@@ -14,6 +19,44 @@ void LuaArea::noteWriting(int /*position*/, int kind, const char *text, int leng
         return;
     m_marksLater = true; // Scintilla allows no edit while it tells of one
     QMetaObject::invokeMethod(this, &LuaArea::markRuns, Qt::QueuedConnection);
+}
+
+/// Words from the right that come from \p source and the marks round them are one step of Undo.
+/// \param write  takes them in
+void LuaArea::takeIn(const QMimeData *source, const std::function<void()> &write)
+{
+    if (isReadOnly() || !source || !needsRunMarks(source->text()))
+        return write();
+    SendScintilla(SCI_BEGINUNDOACTION);
+    write();
+    markRuns();
+    SendScintilla(SCI_ENDUNDOACTION);
+}
+
+void LuaArea::paste()
+{
+    takeIn(QGuiApplication::clipboard()->mimeData(), [this] { QsciScintilla::paste(); });
+}
+
+void LuaArea::dropEvent(QDropEvent *event)
+{
+    takeIn(event->mimeData(), [this, event] { QsciScintilla::dropEvent(event); });
+}
+
+/// On X11 the middle button puts in what is selected somewhere.
+void LuaArea::mouseReleaseEvent(QMouseEvent *event)
+{
+    const QClipboard *clipboard = QGuiApplication::clipboard();
+    const bool pastes = event->button() == Qt::MiddleButton && clipboard->supportsSelection();
+    takeIn(pastes ? clipboard->mimeData(QClipboard::Selection) : nullptr,
+           [this, event] { QsciScintilla::mouseReleaseEvent(event); });
+}
+
+/// What is copied is for others, who have no use for marks.
+QMimeData *LuaArea::toMimeData(const QByteArray &text, bool rectangular) const
+{
+    return QsciScintilla::toMimeData(withoutRunMarks(QString::fromUtf8(text)).toUtf8(),
+                                     rectangular);
 }
 
 bool LuaArea::beginsRun(const QString &written) const
