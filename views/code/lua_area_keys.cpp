@@ -44,11 +44,10 @@ bool LuaArea::isOwnKey(const QKeyEvent &event) const
     case Qt::Key_Backtab:
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        return control || shifted;
     case Qt::Key_Minus:
     case Qt::Key_0:
     case Qt::Key_Slash:
-        return control;
+        return control || shifted; // a slash is on 7 in German and Spanish, 0 is shifted in French
     default:
         return false;
     }
