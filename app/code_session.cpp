@@ -77,8 +77,8 @@ void CodeSession::open(const Lab &lab, int index, bool active,
     const auto before = std::exchange(m_script, makeScript());
     emit opened(m_text);
     start(program());
-    emit stateChanged();
     emit versionsChanged();
+    emit stateChanged();
 }
 
 void CodeSession::close()
@@ -94,8 +94,8 @@ void CodeSession::close()
     m_fault.reset();
     setActive(false);
     emit opened({});
-    emit stateChanged();
     emit versionsChanged();
+    emit stateChanged();
 }
 
 bool CodeSession::isEditable() const

@@ -52,8 +52,6 @@ KeepingDesk::KeepingDesk(Workbench &workbench, VersionsPane &versions, NotesPane
     m_keepSoon.setInterval(keepDelay);
     CodeSession *code = &workbench.code();
     connect(code, &CodeSession::versionsChanged, this, &KeepingDesk::showVersions);
-    connect(code, &CodeSession::edited, this, &KeepingDesk::showPresent);
-    connect(code, &CodeSession::textReplaced, this, &KeepingDesk::showPresent);
     connect(code, &CodeSession::stateChanged, this, &KeepingDesk::showPresent);
     connect(&workbench, &Workbench::modeChanged, this, &KeepingDesk::showPresent);
     connect(&versions, &VersionsPane::goBackRequested, code, &CodeSession::replace);
@@ -83,14 +81,20 @@ void KeepingDesk::showVersions()
     const CodeSession &code = m_workbench.code();
     const History *history = code.isOpen() ? code.workspace().history() : nullptr;
     m_versions.setVersions(history ? shownVersions(*history, code.taskId())
-                                   : std::vector<ShownVersion>());
-    showPresent();
+                                   : std::vector<ShownVersion>(),
+                           code.text(), mayReplace());
+}
+
+bool KeepingDesk::mayReplace() const
+{
+    const CodeSession &code = m_workbench.code();
+    return code.isEditable() && code.isActive();
 }
 
 void KeepingDesk::showPresent()
 {
     const CodeSession &code = m_workbench.code();
-    m_versions.setPresent(code.text(), code.isEditable() && code.isActive());
+    m_versions.setPresent(code.text(), mayReplace());
 }
 
 void KeepingDesk::openNote()

@@ -25,6 +25,7 @@ public:
     void keepNote(); ///< the same, and a version of it
 
 private:
+    [[nodiscard]] bool mayReplace() const;
     void showVersions();
     void showPresent();
     void openNote();

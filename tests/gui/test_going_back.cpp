@@ -97,6 +97,13 @@ void TestGoingBack::passedStepOutlivesATrial()
             QCOMPARE(program->markersAtLine(line) != 0,
                      program->text(line).contains(QStringLiteral("restitution = 0.")));
     }
+    // Who reads on in it stays there, whatever is told of the program meanwhile.
+    QsciScintilla *then = programs.front();
+    then->setFirstVisibleLine(then->lines());
+    const int top = then->firstVisibleLine();
+    QVERIFY(top > 0);
+    open.bench.code().apply();
+    QCOMPARE(then->firstVisibleLine(), top);
     auto *back = open.window.versions().findChildren<QPushButton *>().last();
     QCOMPARE(back->text(), QStringLiteral("Back to what &passed"));
     QVERIFY(back->isEnabled());

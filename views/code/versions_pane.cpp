@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -93,14 +94,18 @@ VersionsPane::VersionsPane(QWidget *parent)
     retranslate();
     onChange(this, {QEvent::LanguageChange}, [this] {
         retranslate();
-        setVersions(m_versions);
+        setVersions(m_versions, m_present, m_mayChange);
     });
 }
 
-void VersionsPane::setVersions(const std::vector<ShownVersion> &versions)
+void VersionsPane::setVersions(const std::vector<ShownVersion> &versions, const QString &present,
+                               bool mayChange)
 {
+    const QSignalBlocker quiet(m_list); // the choice is shown once, when all of it is there
     const QString before = chosen() ? chosen()->version.id : QString();
     m_versions = versions;
+    m_present = present;
+    m_mayChange = mayChange;
     m_list->fill(m_versions);
     m_empty->setVisible(m_versions.empty());
     m_list->setVisible(!m_versions.empty());
@@ -113,9 +118,11 @@ void VersionsPane::setVersions(const std::vector<ShownVersion> &versions)
     showChosen();
 }
 
-void VersionsPane::setPresent(const QString &text, bool mayChange)
+void VersionsPane::setPresent(const QString &present, bool mayChange)
 {
-    m_present = text;
+    if (present == m_present && mayChange == m_mayChange)
+        return; // who reads on in a version stays there
+    m_present = present;
     m_mayChange = mayChange;
     showChosen();
 }

@@ -27,10 +27,13 @@ class VersionsPane final : public QWidget
 public:
     explicit VersionsPane(QWidget *parent = nullptr);
 
-    /// \param versions  the newest first
-    void setVersions(const std::vector<ShownVersion> &versions);
-    /// The program as it is now. \param mayChange  whether it can be replaced
-    void setPresent(const QString &text, bool mayChange);
+    /// \param versions   the newest first
+    /// \param present    the program as it is now
+    /// \param mayChange  whether that can be replaced
+    void setVersions(const std::vector<ShownVersion> &versions, const QString &present,
+                     bool mayChange);
+    /// The same with the versions that there are.
+    void setPresent(const QString &present, bool mayChange);
     /// The version that is chosen; nullptr if there is none.
     [[nodiscard]] const ShownVersion *chosen() const;
     [[nodiscard]] QSize sizeHint() const override { return {700, 264}; }
