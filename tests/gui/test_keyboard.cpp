@@ -26,8 +26,14 @@ private slots:
     void hiddenInspectorChangesNothing();
     void f11IsFullScreen();
     void everyKeyIsListedOnce();
+    void wholeStepByKeysAlone();
 
 private:
+    /// A key, wherever the keyboard is.
+    static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+    }
     [[nodiscard]] static bool isSeen(const QWidget *widget)
     {
         if (!widget || !widget->isEnabled() || !widget->isVisible())
@@ -141,6 +147,44 @@ void TestKeyboard::everyKeyIsListedOnce()
         const bool isKey = line.contains(u'+') || line.trimmed().size() < 3;
         QVERIFY2(isKey || lines.count(line) == 1 || line.trimmed().isEmpty(), qPrintable(line));
     }
+}
+
+/// From the window as it opens to the next step: nothing is clicked, and nothing is given the
+/// focus.
+void TestKeyboard::wholeStepByKeysAlone()
+{
+    m_open.reset();
+    const QTemporaryDir fresh;
+    m_open = std::make_unique<OpenWindow>(fresh);
+    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
+    QVERIFY(isSeen(QApplication::focusWidget()));
+    QCOMPARE(m_open->bench.current(), 0);
+    press(Qt::Key_L, Qt::ControlModifier); // into the program
+    press(Qt::Key_A, Qt::ControlModifier);
+    QStringList lines = m_open->bench.task()->solution.split(u'\n');
+    lines.removeIf([](const QString &line) { return line.trimmed().startsWith(u"--"); });
+    for (const QString &line : lines) { // the editor indents
+        for (const QChar letter : line.trimmed())
+            QTest::keyClick(QApplication::focusWidget(), letter.toLatin1());
+        press(Qt::Key_Return);
+    }
+    const CodeEditor &editor = m_open->window.codePane().editor();
+    QTRY_COMPARE(m_open->bench.code().text(), editor.text());
+    press(Qt::Key_Escape);
+    press(Qt::Key_Tab); // out of the program
+    for (int panes = 0; !m_open->window.scene().hasFocus() && panes < 20; ++panes)
+        press(Qt::Key_F6);
+    QVERIFY(m_open->window.scene().hasFocus());
+    press(Qt::Key_Space);
+    QTRY_VERIFY(m_open->simulation().time() > 0.1);
+    press(Qt::Key_Return, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(m_open->bench.check().report() && !m_open->bench.check().awaitsRun(),
+                             60'000);
+    QVERIFY(m_open->bench.check().report()->passed);
+    press(Qt::Key_PageDown, Qt::ControlModifier);
+    QCOMPARE(m_open->bench.current(), 1);
+    QVERIFY(m_open->isTicked(0));
+    QVERIFY(isSeen(QApplication::focusWidget()));
 }
 
 QTEST_MAIN(TestKeyboard)
