@@ -48,17 +48,22 @@ int ActionButton::widthOf(const QString &text) const
     return fontMetrics().size(Qt::TextShowMnemonic, text).width();
 }
 
-int ActionButton::textWidth() const
+int ActionButton::widestText() const
 {
     int widest = widthOf(text());
     for (const QString &other : m_texts)
         widest = std::max(widest, widthOf(other));
-    return m_collapsed ? 0 : widest;
+    return widest;
+}
+
+int ActionButton::spareWidth() const
+{
+    return m_collapsed ? 0 : widestText() + 2 * iconAside;
 }
 
 QSize ActionButton::sizeHint() const
 {
-    const int spare = m_collapsed ? -2 * iconAside : textWidth() - widthOf(text());
+    const int spare = m_collapsed ? -2 * iconAside : widestText() - widthOf(text());
     return QPushButton::sizeHint() + QSize(spare, 0);
 }
 

@@ -21,17 +21,17 @@ public:
     /// The icon of the button; the action's own is for menus.
     void setIconName(const QString &name, IconTint tint = IconTint::Text);
     void setCollapsed(bool collapsed);
-    [[nodiscard]] bool isCollapsed() const { return m_collapsed; }
     /// Texts that the action has in turn: the button is wide enough for each, so that what stands
     /// beside it does not move.
     void setTexts(const QStringList &texts);
-    [[nodiscard]] int textWidth() const; ///< px that it takes for its text; 0 if collapsed
+    [[nodiscard]] int spareWidth() const; ///< px that it can do without; 0 if collapsed
 
     [[nodiscard]] QSize sizeHint() const override;
 
 private:
     void followAction();
     [[nodiscard]] int widthOf(const QString &text) const;
+    [[nodiscard]] int widestText() const;
 
     QAction *m_action;
     bool m_collapsed = false;

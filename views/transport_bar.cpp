@@ -248,6 +248,7 @@ void TransportBar::retranslate()
     m_searchProgress->setAccessibleName(tr("Progress of the search for a hit"));
     m_runButton->setTexts({tr("Run"), tr("Pause")});
     m_nextHitButton->setTexts({tr("Next hit"), tr("Stop", "search")});
+    m_checkButton->setTexts({tr("Check"), tr("Stop")});
     showRunning();
     showMoment();
     measureReadout();

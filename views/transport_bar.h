@@ -76,6 +76,7 @@ private:
     void showCheck();
     void showSearch();
     void spread();
+    void setSpacing(int between, int beside);
     void relayout();
     void collapse();
     void turnOrder();

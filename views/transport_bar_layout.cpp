@@ -22,6 +22,8 @@ constexpr int speedWidth = 104; ///< px
 constexpr int leastSpeedWidth = 56;
 constexpr int spacing = 8; ///< px between controls
 constexpr int leastSpacing = 4;
+constexpr int sideMargin = 12; ///< px
+constexpr int topMargin = 8;
 constexpr double leastReadout = 0.7;   ///< of the usual size, and never smaller than small texts
 constexpr std::size_t mainButtons = 2; ///< Run and Check keep their texts the longest
 
@@ -30,8 +32,6 @@ constexpr std::size_t mainButtons = 2; ///< Run and Check keep their texts the l
 void TransportBar::makeLayout()
 {
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 8, 12, 8);
-    row->setSpacing(spacing);
     row->setSizeConstraint(QLayout::SetNoConstraint);
     m_order = new QHBoxLayout;
     row->addLayout(m_order);
@@ -127,9 +127,15 @@ void TransportBar::spread()
         button->setCollapsed(false);
     m_speedCaption->show();
     m_speed->setFixedWidth(speedWidth);
-    layout()->setSpacing(spacing);
+    setSpacing(spacing, sideMargin);
     setReadoutSize(1.0);
     relayout();
+}
+
+void TransportBar::setSpacing(int between, int beside)
+{
+    layout()->setSpacing(between);
+    layout()->setContentsMargins(beside, topMargin, beside, topMargin);
 }
 
 void TransportBar::relayout()
@@ -159,7 +165,7 @@ void TransportBar::collapse()
     }
     takeTexts(0, others);
     if (isTooNarrow()) {
-        layout()->setSpacing(leastSpacing);
+        setSpacing(leastSpacing, leastSpacing);
         relayout();
     }
     if (isTooNarrow()) {
@@ -179,7 +185,7 @@ QSize TransportBar::minimumSizeHint() const
 {
     int width = layout()->minimumSize().width();
     for (const ActionButton *button : m_buttons)
-        width -= button->textWidth();
+        width -= button->spareWidth();
     if (!m_speedCaption->isHidden())
         width -= m_speedCaption->sizeHint().width();
     return {width, layout()->minimumSize().height()};

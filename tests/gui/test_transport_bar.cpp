@@ -34,6 +34,7 @@ private slots:
     void keysDriveTheSimulation();
     void runsAndPauses();
     void nothingMovesWhenTheRunBegins();
+    void nothingMovesWhenTheCheckBegins();
     void goesToTheNextHitAndBack();
     void searchForAHitCanBeStopped();
     void speedGoesInPowersOfTwo();
@@ -106,6 +107,21 @@ void TestTransportBar::nothingMovesWhenTheRunBegins()
     bar.layout()->activate();
     QVERIFY(buttonOf(bar, QStringLiteral("Pause")));
     QCOMPARE(nextHit->geometry(), before);
+}
+
+/// The row asks for the same room as long as it is there, so no other button loses its text.
+void TestTransportBar::nothingMovesWhenTheCheckBegins()
+{
+    Simulation simulation(rolling());
+    TransportBar bar(simulation);
+    bar.resize(1280, bar.sizeHint().height());
+    bar.show();
+    const QAbstractButton *check = buttonOf(bar, QStringLiteral("Check"));
+    const QRect before = check->geometry();
+    bar.setChecking(true);
+    bar.layout()->activate();
+    QVERIFY(buttonOf(bar, QStringLiteral("Stop")));
+    QCOMPARE(check->geometry(), before);
 }
 
 void TestTransportBar::goesToTheNextHitAndBack()

@@ -31,6 +31,8 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
     , m_atOnce(new QPushButton(this))
     , m_state(new QLabel(this))
     , m_more(new QPushButton(this))
+    , m_row(new QHBoxLayout)
+    , m_lower(new QHBoxLayout)
 {
     QFont bold = m_title->font();
     bold.setWeight(QFont::DemiBold);
@@ -40,25 +42,30 @@ CodeHeader::CodeHeader(CodeActions &actions, QWidget *parent)
     m_state->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     setKind(m_state, "muted");
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(sideMargin, 5, 8, 6);
-    row->setSpacing(gap);
-    row->setSizeConstraint(QLayout::SetNoConstraint);
-    const auto add = [this, row](QAction *action, const QString &name, IconTint tint) {
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(sideMargin, 5, 8, 6);
+    rows->setSpacing(0);
+    rows->setSizeConstraint(QLayout::SetNoConstraint);
+    for (QHBoxLayout *row : {m_row, m_lower}) {
+        row->setSpacing(gap);
+        rows->addLayout(row);
+    }
+    const auto add = [this](QAction *action, const QString &name, IconTint tint) {
         auto *button = new ActionButton(action, this);
         button->setIconName(name, tint);
         button->setIconSize(iconSquare(16));
         setKind(button, "small");
-        row->addWidget(button);
+        m_row->addWidget(button);
         return button;
     };
-    row->addWidget(m_title);
+    m_row->addWidget(m_title);
     auto *run = add(actions.run, QStringLiteral("run"), IconTint::Accent);
-    row->addWidget(m_atOnce);
+    m_row->addWidget(m_atOnce);
     auto *step = add(actions.stepLine, QStringLiteral("next"), IconTint::Text);
     auto *finish = add(actions.finishStep, QStringLiteral("step"), IconTint::Text);
-    row->addWidget(m_state, 1);
-    row->addWidget(m_more);
+    m_row->addWidget(m_state, 1);
+    m_row->addStretch();
+    m_row->addWidget(m_more);
     m_buttons = {finish, step, run};
 
     auto *menu = new Menu(m_more);
@@ -103,15 +110,17 @@ void CodeHeader::setState(const QString &text, bool warns)
 
 void CodeHeader::retranslate()
 {
-    m_atOnce->setAccessibleName(tr("Run as I type")); // its text as well, where there is room
+    m_atOnce->setText(tr("Run as I type"));
+    m_atOnce->setAccessibleName(m_atOnce->text());
     m_atOnce->setToolTip(tr("Run every change at once, as long as the program parses"));
     m_more->setText(tr("More"));
     m_more->setAccessibleName(tr("More for the program"));
     arrange();
 }
 
-/// Takes the text from as many buttons as needed for the longest state to be read. Which ones does
-/// not depend on the state of the moment: that changes with every letter typed.
+/// Takes the text from as many buttons as needed for the longest state to be read. Where not even
+/// the usual one has room, it stands below. What is done does not depend on the state of the
+/// moment: that changes with every letter typed.
 void CodeHeader::arrange()
 {
     if (m_arranging)
@@ -123,22 +132,12 @@ void CodeHeader::arrange()
     int longest = shortState;
     for (const QString &text : m_states)
         longest = std::max(longest, widthOf(text));
-    m_atOnce->setText(m_atOnce->accessibleName());
     for (ActionButton *button : m_buttons)
-        button->setCollapsed(false);
-    for (ActionButton *button : m_buttons) {
-        layout()->invalidate();
-        const bool last = button == m_buttons.back();
-        if (layout()->minimumSize().width() + (last ? shortState : longest) <= width())
-            break;
         button->setCollapsed(true);
-    }
-    // The last to go is the name of a choice, whose sign stays: what is saved is told in words
-    // alone.
-    layout()->invalidate();
-    if (layout()->minimumSize().width() + widthOf(m_states.value(0)) > width())
-        m_atOnce->setText(QString());
-    layout()->invalidate();
+    measureAnew();
+    const bool two = minimumSizeHint().width() + widthOf(m_states.value(0)) > width();
+    putInRows(two);
+    spread(two ? 0 : longest);
     layout()->activate();
     // Where all of it does not fit, what comes before the colon says the most.
     const QFontMetrics metrics = m_state->fontMetrics();
@@ -151,16 +150,50 @@ void CodeHeader::arrange()
     m_arranging = false;
 }
 
+void CodeHeader::putInRows(bool two)
+{
+    if (two == isInTwoRows())
+        return;
+    if (two) {
+        m_lower->addWidget(m_atOnce);
+        m_lower->addWidget(m_state, 1);
+    } else {
+        m_row->insertWidget(m_row->indexOf(m_buttons.back()) + 1, m_atOnce);
+        m_row->insertWidget(m_row->indexOf(m_more) - 1, m_state, 1); // before the stretch
+    }
+}
+
+/// Gives the buttons their texts, but for those that must go for the state to have \p room px.
+void CodeHeader::spread(int room)
+{
+    for (ActionButton *button : m_buttons)
+        button->setCollapsed(false);
+    for (ActionButton *button : m_buttons) {
+        measureAnew();
+        const bool last = button == m_buttons.back();
+        if (layout()->minimumSize().width() + (last ? std::min(room, shortState) : room) <= width())
+            break;
+        button->setCollapsed(true);
+    }
+    measureAnew();
+}
+
+void CodeHeader::measureAnew()
+{
+    m_row->invalidate();
+    m_lower->invalidate();
+    layout()->invalidate();
+}
+
 QSize CodeHeader::minimumSizeHint() const
 {
-    int width = layout()->minimumSize().width();
-    for (const ActionButton *button : m_buttons) {
-        if (!button->isCollapsed())
-            width -= button->fontMetrics().horizontalAdvance(button->text());
-    }
-    // The pane is no narrower for want of a name: what stands below needs that width, too.
-    if (m_atOnce->text().isEmpty())
-        width += m_atOnce->fontMetrics().horizontalAdvance(m_atOnce->accessibleName());
+    const QMargins margins = layout()->contentsMargins();
+    int width = margins.left() + m_row->minimumSize().width() + margins.right();
+    for (const ActionButton *button : m_buttons)
+        width -= button->spareWidth();
+    // The pane is no narrower with two rows: what stands below needs that width, too.
+    if (isInTwoRows())
+        width += m_atOnce->sizeHint().width() + 2 * gap; // before it and the state
     return {width, layout()->minimumSize().height()};
 }
 

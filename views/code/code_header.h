@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QHBoxLayout>
 #include <QStringList>
 #include <QWidget>
 
@@ -17,7 +18,8 @@ namespace cradle {
 class ActionButton;
 class CodeActions;
 
-/// The row over the editor: name of the program, buttons, and what has become of the text.
+/// The row over the editor: name of the program, buttons, and what has become of the text. With
+/// large texts there are two.
 class CodeHeader final : public QWidget
 {
     Q_OBJECT
@@ -42,11 +44,17 @@ protected:
 
 private:
     void arrange();
+    void putInRows(bool two);
+    [[nodiscard]] bool isInTwoRows() const { return m_lower->count() > 0; }
+    void spread(int room);
+    void measureAnew();
 
     QLabel *m_title;
     QPushButton *m_atOnce;
     QLabel *m_state;
     QPushButton *m_more;
+    QHBoxLayout *m_row;   ///< the one, or the upper of two
+    QHBoxLayout *m_lower; ///< of two: whether the program runs as it is typed, and its state
     std::vector<ActionButton *> m_buttons; ///< those that lose their text first, first
     QString m_stateText;
     QStringList m_states;
