@@ -23,6 +23,8 @@ private slots:
     void aBreakIsSolvedAsOne();
     void whatFallsSlowlyMeetsWhatLies();
     void whatIsPressedStaysOnTheFloor();
+    void whatRestsLiesStillByEveryLaw_data();
+    void whatRestsLiesStillByEveryLaw();
 };
 
 void TestExactMeetings::aGrazeIsNoHit_data()
@@ -140,6 +142,41 @@ void TestExactMeetings::whatFallsSlowlyMeetsWhatLies()
     }
     QVERIFY(first);
     COMPARE_NEAR(first->time, std::sqrt(0.8 / 0.3), 1e-9);
+}
+
+void TestExactMeetings::whatRestsLiesStillByEveryLaw_data()
+{
+    QTest::addColumn<int>("law");
+    QTest::newRow("none") << int(CircleLaw::None);
+    QTest::newRow("stop") << int(CircleLaw::Stop);
+    QTest::newRow("whole velocities") << int(CircleLaw::SwapVelocities);
+    QTest::newRow("parts along the normal") << int(CircleLaw::SwapNormal);
+    QTest::newRow("impulse") << int(CircleLaw::Impulse);
+}
+
+/// Two fall onto the floor, slide and bounce ever lower; the time of all hops is a geometric
+/// series.
+void TestExactMeetings::whatRestsLiesStillByEveryLaw()
+{
+    QFETCH(int, law);
+    Laws laws = exact;
+    laws.circles = CircleLaw(law);
+    Preset preset = scene({circle({-2, -3}, {0.25, 0}), circle({2, -3.5}, {-0.1, 0})}, laws);
+    preset.gravity = {0, -g};
+    preset.restitution = 0.5;
+    Run run(preset);
+    // From 0.8 m up: √(2 h / g) (1 + 2 Σ eⁿ) = 3 √(2 h / g), 1.2 s.
+    run.steps(120);
+    const std::size_t hits = run.hits.size();
+    QVERIFY(hits > 4);
+    run.steps(300);
+    QCOMPARE(run.hits.size(), hits);
+    for (const std::size_t i : {0U, 1U}) {
+        COMPARE_NEAR(run[i].position.y, 0.2 - halfWidth, 1e-12);
+        QCOMPARE(run[i].velocity.y, 0.0);
+        QCOMPARE(run[i].velocity.x, i == 0 ? 0.25 : -0.1);
+        COMPARE_NEAR(run[i].position.x, (i == 0 ? -2.0 + 0.25 * 7.0 : 2.0 - 0.1 * 7.0), 1e-9);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestExactMeetings)

@@ -92,8 +92,13 @@ void TestLabFiles::savesWhatDiffersAlone()
     QVERIFY(!saveLabFiles(lab, {}, folder.path()));
     const QString untouched = folder.filePath(text("S1/task.json"));
     const QString changed = folder.filePath(text("S1/instructions.md"));
+    for (const QString &path : {untouched, changed}) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(-3600),
+                                 QFileDevice::FileModificationTime));
+    }
     const qint64 time = modified(untouched);
-    QTest::qWait(20);
     const LabFiles edited = withText(lab, text("S1/instructions.md"), text("# Other\n"));
     QVERIFY(!saveLabFiles(edited, lab, folder.path()));
     QCOMPARE(modified(untouched), time);
