@@ -20,6 +20,7 @@ private slots:
     void brokenRosterIsRefused_data();
     void brokenRosterIsRefused();
     void tableCellsMayBeQuoted();
+    void lateDaysAreNumbers();
     void idsArePlainAndTellNamesApart_data();
     void idsArePlainAndTellNamesApart();
 };
@@ -98,6 +99,7 @@ void TestClassRoster::brokenRosterIsRefused_data()
     QTest::newRow("nobody") << text("id,name\n,Ada\n");
     QTest::newRow("late") << text("id,late days\nada,soon\n");
     QTest::newRow("early") << text("id,late days\nada,-1\n");
+    QTest::newRow("later than any") << text("id,late days\nada,10001\n");
 }
 
 void TestClassRoster::brokenRosterIsRefused()
@@ -111,6 +113,18 @@ void TestClassRoster::tableCellsMayBeQuoted()
     const auto table = tableFrom(text("a,b\r\n\"x, \"\"y\"\"\n2\",z\r\n\n"));
     QCOMPARE(table.size(), std::size_t(2));
     QCOMPARE(table[1], (QStringList{text("x, \"y\"\n2"), text("z")}));
+}
+
+/// From 0 to ten thousand, with a point or a comma.
+void TestClassRoster::lateDaysAreNumbers()
+{
+    for (const auto &[written, days] :
+         {std::pair("", 0.0), std::pair("0", 0.0), std::pair("2.5", 2.5), std::pair("\"2,5\"", 2.5),
+          std::pair("10000", 10000.0)}) {
+        const auto roster = rosterFrom(text("id,late days\nada,%1\n").arg(text(written)), {});
+        QVERIFY2(roster.ok(), written);
+        QCOMPARE(roster->front().lateDays, days);
+    }
 }
 
 void TestClassRoster::idsArePlainAndTellNamesApart_data()

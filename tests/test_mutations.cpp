@@ -161,6 +161,16 @@ void TestMutations::missingTestIsFound()
     QCOMPARE(faster->check, QStringLiteral("drifts"));
     QVERIFY(!faster->finding.isEmpty());
     QVERIFY(suggestions.front().kind == Suggestion::Kind::Passes);
+    // Progress goes on from nothing to all, step by step.
+    std::vector<std::pair<int, int>> told;
+    (void)suggestMistakes(
+        {}, task, {.progress = [&](int done, int total) { told.emplace_back(done, total); }});
+    QVERIFY(told.size() > suggestions.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        QVERIFY(told[i].first <= told[i].second && told[i].second == told[0].second);
+        QVERIFY(i == 0 || told[i].first >= told[i - 1].first);
+    }
+    QCOMPARE(told.back().first, told.back().second);
 
     // Once it has one, it is not suggested again.
     task.mistakes = {{QStringLiteral("known"), faster->mutant.source, QStringLiteral("Known")}};

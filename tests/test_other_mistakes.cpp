@@ -20,6 +20,7 @@ private slots:
     void oneKeptWholeIsOfferedAlike();
     void takenOverItFailsThereToo();
     void ownNamesAndProgramsAreNotOffered();
+    void ownNameIsNotOfferedWithAnotherProgram();
     void stepWithoutASolutionIsOfferedNothing();
 
 private:
@@ -113,6 +114,16 @@ void TestOtherMistakes::ownNamesAndProgramsAreNotOffered()
         QVERIFY2(each.program != textOf(m_lab, step + text("/solution.lua")),
                  qPrintable(each.name));
     }
+}
+
+void TestOtherMistakes::ownNameIsNotOfferedWithAnotherProgram()
+{
+    const QString name = text("ceiling-asks-downward");
+    QVERIFY(!named(mistakesOfOtherSteps(m_lab, step), name).empty());
+    LabFiles files;
+    TAKE(files, withKnownAdded(m_lab, step, KnownKind::Mistake, name,
+                               text("-- Nothing moves\nfunction on_update(h) end\n")));
+    QVERIFY(named(mistakesOfOtherSteps(files, step), name).empty());
 }
 
 void TestOtherMistakes::stepWithoutASolutionIsOfferedNothing()
