@@ -126,6 +126,9 @@ void TestClassSections::misunderstandingsAreListedUpToTwelve()
         summary.add(student);
         QString html;
         writeMisunderstandings(html, summary);
+        // The second step, which nobody handed in, has no list.
+        QCOMPARE(html.count(QStringLiteral("<details class=\"printed\"")), 1);
+        QVERIFY(html.contains(QStringLiteral("<summary>S1 · ")));
         const QString last = QStringLiteral("It is of sort %1").arg(sorts - 1);
         QVERIFY(html.contains(QStringLiteral("<li><span class=\"count\">2 ×</span>") + last));
         QCOMPARE(html.count(QStringLiteral("<li><span class=\"count\">1 ×</span>")),

@@ -22,6 +22,8 @@ private slots:
     void restitutionIsPutInOnlyWhereItIsKnown();
     void onlyTheseLinesAreChanged();
     void noMoreThanAreWantedAreMade();
+    void whatNobodyWritesIsNotTried_data();
+    void whatNobodyWritesIsNotTried();
     void allThatIsTriedForALine_data();
     void allThatIsTriedForALine();
 };
@@ -113,7 +115,11 @@ void TestRepairs::mistakeIsUndone_data()
     // Names.
     row("x = a.density", "x = b.density");
     row("x = b.radius", "x = a.radius");
+    row("x = a.radius + b.radius", "x = a.radius + a.radius");
+    row("x = a.radius + b.radius", "x = b.radius + b.radius");
     row("x = m1", "x = m2");
+    row("x = m1 * m1", "x = m1 * m2");
+    row("x = n.x * n.x", "x = n.x * n.y");
     row("x = va", "x = vb");
     row("x = n.x", "x = n.y"); // which the next line names
     row("x = square.left", "x = square.right");
@@ -313,6 +319,42 @@ void TestRepairs::noMoreThanAreWantedAreMade()
         for (std::size_t i = 0; i < most; ++i)
             QCOMPARE(some[i].source, all[i].source);
     }
+}
+
+void TestRepairs::whatNobodyWritesIsNotTried_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("other");
+    const auto row = [](const char *line, const char *other) {
+        QTest::addRow("%s -> %s", line, other)
+            << QString::fromUtf8(line) << QString::fromUtf8(other);
+    };
+    // A factor for what is handed over with others, called, or given a value.
+    row("x = g(a.radius, 2)", "x = g(a.radius ^ 2, 2)");
+    row("x = g(v.x, 2)", "x = g(v.x * h, 2)");
+    row("move(v)", "move(v * h)");
+    row("v = 1", "v * h = 1");
+    row("x = c.velocity", "x = c * h.velocity");
+    row("x = u", "x = u * h"); // no rate
+    row("x = u", "x = u ^ 2");
+    // A sign where there is no sum, and none for a whole circle.
+    row("x = {-u}", "x = {+u}");
+    row("f(circles)", "f( -circles)");
+    row("f(a)", "f( -a)");
+    // A name that the program has not.
+    row("x = m3", "x = m4");
+    row("x = left", "x = top");
+    // Conditions and calls without two parts.
+    row("if u == w then", "if u ~= w then");
+    row("x = g(u)", "x = g(u, u)");
+    row("x = math.pi", "x = (pi)");
+}
+
+void TestRepairs::whatNobodyWritesIsNotTried()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, other);
+    QVERIFY(!isTried(tried(around(line)), around(other)));
 }
 
 void TestRepairs::allThatIsTriedForALine_data()

@@ -28,6 +28,8 @@ private slots:
     void valuesAtAnErrorAreTold();
     void codeAroundMarksItsLine();
     void momentOfAnErrorIsShort();
+    void momentIsShownOnce_data();
+    void momentIsShownOnce();
 
 private:
     [[nodiscard]] QByteArray page(const char *name) const;
@@ -144,6 +146,32 @@ void TestStudentPage::momentOfAnErrorIsShort()
     QLocale::setDefault(QLocale::c());
     QVERIFY(html.contains("The program stopped in step 4 of a scene, at 0.06667 s."));
     QVERIFY(html.contains("1 of 5,5 points"));
+}
+
+void TestStudentPage::momentIsShownOnce_data()
+{
+    QTest::addColumn<bool>("found"); // something was found that tells of it
+    QTest::addColumn<bool>("stopped");
+    QTest::addColumn<int>("moments");
+    QTest::newRow("with what was found") << true << false << 1;
+    QTest::newRow("alone, where nothing was") << false << false << 1;
+    QTest::newRow("not of a program that stopped") << false << true << 0;
+    QTest::newRow("stopped, and found before") << true << true << 1;
+}
+
+void TestStudentPage::momentIsShownOnce()
+{
+    QFETCH(bool, found);
+    QFETCH(bool, stopped);
+    QFETCH(int, moments);
+    StudentResult student = mallory(m_lab);
+    if (!found)
+        student.steps[0].report->findings.clear();
+    if (stopped)
+        student.steps[0].report->error =
+            ProgramError{.message = QStringLiteral("stopped"), .step = 4, .time = 0.5};
+    const QByteArray html = studentPage(student, m_lab, facts());
+    QCOMPARE(html.count("stroke-opacity=\"0.45\""), moments); // the way of its circle
 }
 
 QTEST_APPLESS_MAIN(TestStudentPage)
