@@ -53,7 +53,7 @@ struct Search {
                          .ran = ran,
                          .suspect = suspect,
                          .last = last,
-                         .isHit = false,
+                         .aspect = Aspect::Motion,
                          .mending = [&](const QString &source) {
                              measured.push_back(source);
                              return mending(measured.size() - 1);

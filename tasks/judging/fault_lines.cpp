@@ -87,14 +87,19 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
         return 0;
     const Aspect aspect = aspectOf(deviation);
     const std::vector<LawDeviation> all = m_deviations.besides(m_own, aspect);
+    const auto mending = [&](const QString &program) {
+        const MeasuredLaws laws(&program, m_ground);
+        return seesAsMuch(laws, aspect, before)
+                   ? mendingOf(deviation, all, m_deviations.besides(laws, aspect))
+                   : Mending::None;
+    };
+    // A second fault is looked for where the first is mended: there it stands alone.
+    const QString &own = *m_submission.script;
+    const bool isMended =
+        !m_mended.empty() && m_mended.back()->program.count(u'\n') == own.count(u'\n');
+    const QString &program = isMended ? m_mended.back()->program : own;
     const auto repair =
-        repairOf({*m_submission.script, m_task.solution, moment, ran, deviation.suspect, last,
-                  aspect != Aspect::Motion, [&](const QString &program) {
-                      const MeasuredLaws laws(&program, m_ground);
-                      return seesAsMuch(laws, aspect, before)
-                                 ? mendingOf(deviation, all, m_deviations.besides(laws, aspect))
-                                 : Mending::None;
-                  }});
+        repairOf({program, m_task.solution, moment, ran, deviation.suspect, last, aspect, mending});
     if (!repair)
         return 0;
     m_mended.push_back(std::make_unique<Mended>(repair->source, m_ground));

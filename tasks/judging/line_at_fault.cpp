@@ -5,6 +5,7 @@
 #include "tasks/judging/asked_values.h"
 #include "tasks/judging/fault_look.h"
 #include "tasks/judging/program_statements.h"
+#include "tasks/judging/value_repairs.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -82,12 +83,17 @@ std::vector<int> suspects(const FaultQuery &query)
             && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
             add(line);
     }
+    // Who only hands a value on seldom gets it wrong.
+    std::set<int> copies;
+    std::set<int> works;
+    for (const ProgramAssignment &each : assignmentsOf(program))
+        (isHandedOn(program, each) ? copies : works).insert(each.line);
+    std::stable_partition(lines.begin(), lines.end(), [&](int line) {
+        return !copies.contains(line) || works.contains(line)
+               || (line == query.last && query.suspect == Suspect::Answer);
+    });
     return lines;
 }
-
-} // namespace
-
-namespace {
 
 /// Measures changed programs until one is mended.
 class Proof
@@ -123,11 +129,48 @@ private:
     std::optional<Repair> m_part{};
 };
 
+/// What is tried, in the lines first that a teacher would look at first. What lacks something is
+/// completed; then a value that is asked for is taken whole before the words of the question are
+/// changed, but a mass or a motion after its own words were.
+std::vector<Repair> changesOf(const FaultQuery &query)
+{
+    const bool isOfMasses = query.suspect == Suspect::Masses;
+    const std::vector<int> all = suspects(query);
+    std::vector<int> near;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(near), [&](int line) {
+        return isOfQuestion(query.suspect) || isOfMasses || !query.ran.before.contains(line);
+    });
+    const std::vector<int> &valued = query.aspect == Aspect::Response ? near : all;
+    std::vector<Repair> changes;
+    const auto add = [&](std::vector<Repair> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(changes));
+    };
+    const auto addValues = [&](Suspect suspect, ValueChange change) {
+        add(valueRepairsOf(query.program, valued, query.aspect, suspect, query.moment, change));
+    };
+    addValues(query.suspect, ValueChange::Completed);
+    const bool isWordsFirst = isOfMasses || query.aspect == Aspect::Motion;
+    if (!isWordsFirst)
+        addValues(query.suspect, ValueChange::Replaced);
+    const std::size_t most = mostRepairs(query.suspect);
+    std::vector<Repair> words = repairsOf(query.program, query.reference, near, most);
+    const bool isWhole = words.size() >= most || near.size() == all.size();
+    add(std::move(words));
+    if (!isWhole)
+        add(repairsOf(query.program, query.reference, all, most));
+    if (isWordsFirst)
+        addValues(query.suspect, ValueChange::Replaced);
+    else if (query.aspect == Aspect::Response)
+        add(valueRepairsOf(query.program, all, query.aspect, Suspect::Masses, query.moment,
+                           ValueChange::Completed));
+    return changes;
+}
+
 } // namespace
 
 std::optional<Repair> repairOf(const FaultQuery &query)
 {
-    FaultLook look(query.program, query.reference, query.moment, query.isHit,
+    FaultLook look(query.program, query.reference, query.moment, query.aspect != Aspect::Motion,
                    isOfQuestion(query.suspect));
     // What shows nothing proves nothing.
     if (query.ran.now.empty() || !look.showsFault())
@@ -136,8 +179,7 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     std::vector<Repair> doubtful;
     std::map<int, int> tries;
     int measured = 0;
-    for (const Repair &repair :
-         repairsOf(query.program, query.reference, suspects(query), mostRepairs(query.suspect))) {
+    for (const Repair &repair : changesOf(query)) {
         if (measured >= mostMeasured)
             break;
         const Sight sight = look.of(repair.source);

@@ -20,8 +20,8 @@ struct FaultQuery {
     const Moment &moment;     ///< where it shows
     const RanLines &ran;      ///< what runs there
     Suspect suspect = Suspect::Answer;
-    int last = 0;       ///< the line that last changed what is wrong
-    bool isHit = false; ///< of a wall or another circle: it may come a step later
+    int last = 0;                   ///< the line that last changed what is wrong
+    Aspect aspect = Aspect::Motion; ///< of a hit it may show a step later
     /// How far a changed program no longer deviates so; asked of few.
     std::function<Mending(const QString &)> mending;
 };

@@ -20,26 +20,6 @@ bool isOneOf(const ProgramLines &program, std::size_t i, std::initializer_list<c
                        [&](const char *word) { return program.is(i, word); });
 }
 
-/// The token after the expression that begins at \p i; \p i if it is none of operands and signs.
-std::size_t afterExpression(const ProgramLines &program, std::size_t i)
-{
-    std::size_t at = i;
-    while (true) {
-        while (isOneOf(program, at, {"-", "not", "#"}))
-            ++at;
-        const std::size_t next =
-            isOneOf(program, at, {"nil", "true", "false"}) ? at + 1 : program.afterOperand(at);
-        if (next == at)
-            return i;
-        at = next;
-        if (!isOneOf(program, at,
-                     {"+", "-", "*", "/", "//", "%", "^", "..", "==", "~=", "<", ">",
-                      "<=", ">=", "and", "or"}))
-            return at;
-        ++at;
-    }
-}
-
 /// The first token of the target that ends at \p i, such as circles of circles[1].v.
 std::size_t targetStart(const ProgramLines &program, std::size_t i)
 {
@@ -99,6 +79,25 @@ void addAssignments(std::vector<ProgramAssignment> &all, const ProgramLines &pro
 }
 
 } // namespace
+
+std::size_t afterExpression(const ProgramLines &program, std::size_t i)
+{
+    std::size_t at = i;
+    while (true) {
+        while (isOneOf(program, at, {"-", "not", "#"}))
+            ++at;
+        const std::size_t next =
+            isOneOf(program, at, {"nil", "true", "false"}) ? at + 1 : program.afterOperand(at);
+        if (next == at)
+            return i;
+        at = next;
+        if (!isOneOf(program, at,
+                     {"+", "-", "*", "/", "//", "%", "^", "..", "==", "~=", "<", ">",
+                      "<=", ">=", "and", "or"}))
+            return at;
+        ++at;
+    }
+}
 
 std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program)
 {

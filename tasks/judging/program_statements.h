@@ -17,6 +17,9 @@ struct ProgramAssignment {
     std::size_t last = 0;   ///< the last token of the target
 };
 
+/// The token after the expression that begins at \p i; \p i if it is none of operands and signs.
+[[nodiscard]] std::size_t afterExpression(const ProgramLines &program, std::size_t i);
+
 /// All of \p program, in order; also what a table begins with.
 [[nodiscard]] std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program);
 

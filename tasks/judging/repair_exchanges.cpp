@@ -131,7 +131,8 @@ void exchangeElement(RepairList &repairs, std::size_t i)
 QString partnerOf(const RepairList &repairs, const QString &name)
 {
     static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
-                                                     {QLatin1Char('1'), QLatin1Char('2')}};
+                                                     {QLatin1Char('1'), QLatin1Char('2')},
+                                                     {QLatin1Char('x'), QLatin1Char('y')}};
     for (const auto &[one, two] : ends) {
         QString partner = name;
         if (partner.size() < 2 || (partner.back() != one && partner.back() != two))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/program_lines.h"
+#include "tasks/judging/program_statements.h"
 #include "tasks/judging/repairs.h"
 
 namespace cradle {
@@ -18,12 +18,19 @@ public:
         : m_program(program)
         , m_rebounds(rebounds)
         , m_most(most)
+        , m_assignments(assignmentsOf(program))
+        , m_functions(functionsOf(program))
     {
     }
 
     [[nodiscard]] const ProgramLines &program() const { return m_program; }
     [[nodiscard]] const std::vector<ProgramToken> &tokens() const { return m_program.tokens(); }
     [[nodiscard]] bool is(std::size_t i, const char *word) const { return m_program.is(i, word); }
+    [[nodiscard]] const std::vector<ProgramAssignment> &assignments() const
+    {
+        return m_assignments;
+    }
+    [[nodiscard]] const std::vector<ProgramFunction> &functions() const { return m_functions; }
 
     /// \param from, to  places in the source, of \p line
     void replace(int line, qsizetype from, qsizetype to, const QString &text);
@@ -47,6 +54,8 @@ private:
     const ProgramLines &m_program;
     bool m_rebounds;
     std::size_t m_most;
+    std::vector<ProgramAssignment> m_assignments;
+    std::vector<ProgramFunction> m_functions;
     std::vector<Repair> m_repairs{};
     std::vector<Repair> m_twins{}; ///< in several lines alike
     QSet<QString> m_known{};

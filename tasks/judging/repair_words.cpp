@@ -23,7 +23,7 @@ void changeNumber(RepairList &repairs, std::size_t i)
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
     const bool isIndex = i > 0 && repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
     if (isIndex)
-        others = {QStringLiteral("1"), QStringLiteral("2")};
+        others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("i")};
     for (const QString &other : others)
         repairs.replace(number, other);
     if (isIndex)
@@ -69,7 +69,8 @@ void changeSign(RepairList &repairs, std::size_t i)
     if (sign.is("-") && !binary)
         repairs.replace(sign, {});
     // A minus in front of what is given to a velocity or a function, but not of a circle.
-    const bool begins = repairs.is(i, "=") || repairs.is(i, "(") || repairs.is(i, ",");
+    const bool begins =
+        repairs.is(i, "=") || repairs.is(i, "(") || repairs.is(i, ",") || repairs.is(i, "return");
     if (begins && i + 1 < repairs.tokens().size()
         && repairs.tokens()[i + 1].kind == ProgramToken::Kind::Name
         && !isWholeCircle(repairs, i + 1))

@@ -89,10 +89,14 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
         for (const std::size_t i : program.tokensOf(line)) {
             repairOmissions(repairs, i);
             scaleTerm(repairs, i);
-            repairScales(repairs, i);
         }
         dropLine(repairs, line);
         repairLine(repairs, line);
+    }
+    // Twice as much of a product is twice as much of each of its factors: the last is worked out.
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        for (const std::size_t i : program.tokensOf(*line))
+            repairScales(repairs, i);
     }
     return repairs.take();
 }

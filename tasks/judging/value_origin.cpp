@@ -66,12 +66,16 @@ int ValueOrigin::of(int line) const
         return 0;
     const std::vector<Wrong> parts = wrongParts(now);
     std::vector<std::vector<int>> found(parts.size());
+    const bool isGivenByCall =
+        std::any_of(m_assignments.begin(), m_assignments.end(), [&](const ProgramAssignment &each) {
+            return names.contains(each.name) && m_ran.now.contains(each.line)
+                   && each.from == each.to;
+        });
     for (const ProgramAssignment &each : m_assignments) {
-        if (!names.contains(each.name) || !m_ran.now.contains(each.line)
-            || isHandedOn(m_program, each))
+        // What a function returns was worked out in it, under names of its own.
+        if ((!isGivenByCall && !names.contains(each.name)) || !m_ran.now.contains(each.line)
+            || isHandedOn(m_program, each) || each.from == each.to)
             continue;
-        if (each.from == each.to)
-            return 0;
         const auto other = endOf(withOther(each, m_moment.step), m_moment.step);
         const auto earlier = m_isHit && m_moment.step > 1
                                  ? endOf(withOther(each, m_moment.step - 1), m_moment.step - 1)
@@ -88,7 +92,10 @@ int ValueOrigin::of(int line) const
             return 0;
         const std::vector<int> twins = m_program.twinsOf(lines.front());
         for (const int other : lines) {
-            if (other != lines.front()
+            const bool goesOn =
+                isGivenByCall
+                && functionAt(m_functions, other) == functionAt(m_functions, lines.front());
+            if (other != lines.front() && !goesOn
                 && std::find(twins.begin(), twins.end(), other) == twins.end())
                 return 0;
         }

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/quantities.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Both ways round.
+QStringList eitherWay(const QString &pattern, const QString &a, const QString &b)
+{
+    return {pattern.arg(a, b), pattern.arg(b, a)};
+}
+
+} // namespace
+
+Quantities::Quantities(const NamesAtHand &names, const QSet<QString> &timesteps, Aspect aspect,
+                       Suspect suspect)
+    : m_names(names)
+    , m_timesteps(timesteps)
+    , m_aspect(aspect)
+    , m_suspect(suspect)
+{
+    const auto pair = names.pair();
+    switch (aspect) {
+    case Aspect::Motion:
+        m_all = {QStringLiteral("gravity"), QStringLiteral("gravity.x"),
+                 QStringLiteral("gravity.y")};
+        m_all += timesteps.values();
+        break;
+    case Aspect::Walls:
+    case Aspect::Course:
+        for (const QString &radius : names.radii())
+            m_all += {QStringLiteral("square.half_width - ") + radius,
+                      radius + QStringLiteral(" - square.half_width"), radius};
+        m_sound = m_all;
+        break;
+    case Aspect::Contact:
+        if (pair)
+            addContact(pair->first, pair->second);
+        addHelper(names.parameters());
+        break;
+    case Aspect::Response:
+        if (suspect == Suspect::Masses)
+            addMasses();
+        if (pair)
+            addResponse(pair->first, pair->second, names.masses());
+        addHelper(names.parameters());
+        if (names.masses().size() == 2)
+            m_all +=
+                {QStringLiteral("%1 * %2 / (%1 + %2)").arg(names.masses()[0], names.masses()[1]),
+                 QStringLiteral("%1 + %2").arg(names.masses()[0], names.masses()[1])};
+        break;
+    case Aspect::Start:
+        break;
+    }
+}
+
+void Quantities::addContact(const NamedCircle &a, const NamedCircle &b)
+{
+    const QString way = QStringLiteral("(%1 - %2)").arg(b.position, a.position);
+    const QString length = way + QStringLiteral(":length()");
+    const QString sum = QStringLiteral("%1 + %2").arg(a.radius, b.radius);
+    const QString relative = QStringLiteral("(%1 - %2)").arg(a.velocity, b.velocity);
+    m_sound = QStringList{sum, length, QStringLiteral("%1 - (%2)").arg(length, sum),
+                          QStringLiteral("%1 - %2").arg(sum, length)}
+              + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position)
+              + eitherWay(QStringLiteral("%1 - %2"), a.velocity, b.velocity);
+    m_parts = eitherWay(QStringLiteral("%1.x - %2.x"), b.position, a.position)
+              + eitherWay(QStringLiteral("%1.y - %2.y"), b.position, a.position)
+              + QStringList{a.radius, b.radius};
+    m_all = m_sound + m_parts.mid(0, 4)
+            + QStringList{QStringLiteral("%1:dot%2").arg(relative, way),
+                          QStringLiteral("-%1:dot%2").arg(relative, way),
+                          way + QStringLiteral(":normalized()")};
+}
+
+void Quantities::addResponse(const NamedCircle &a, const NamedCircle &b, const QStringList &masses)
+{
+    const QString way = QStringLiteral("(%1 - %2)").arg(b.position, a.position);
+    const QString normal = way + QStringLiteral(":normalized()");
+    const auto along = [&](const QString &velocity) {
+        return QStringLiteral("%1:dot(%2)").arg(velocity, normal);
+    };
+    const QString relative = QStringLiteral("(%1 - %2)").arg(a.velocity, b.velocity);
+    for (const QString &velocity : {a.velocity, b.velocity})
+        m_across.append(QStringLiteral("%1 - %2 * %3").arg(velocity, along(velocity), normal));
+    m_all += QStringList{normal,
+                         QLatin1Char('-') + normal,
+                         along(a.velocity),
+                         along(b.velocity),
+                         along(relative),
+                         QLatin1Char('-') + along(relative)}
+             + m_across + eitherWay(QStringLiteral("%1 - %2"), a.velocity, b.velocity)
+             + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position);
+    m_sound = QStringList{normal, QLatin1Char('-') + normal, way + QStringLiteral(":length()")}
+              + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position);
+    m_parts = eitherWay(QStringLiteral("%1.x - %2.x"), b.position, a.position)
+              + eitherWay(QStringLiteral("%1.y - %2.y"), b.position, a.position)
+              + QStringList{a.radius, b.radius};
+    if (masses.size() != 2)
+        return;
+    const QString common = QStringLiteral("(%1 * %3 + %2 * %4) / (%1 + %2)")
+                               .arg(masses[0], masses[1], along(a.velocity), along(b.velocity));
+    m_all += {common, QStringLiteral("%1 * %2").arg(common, normal)};
+}
+
+/// What a function of vectors alone is likely to give.
+void Quantities::addHelper(const QStringList &parameters)
+{
+    if (!m_names.circles().empty())
+        return;
+    if (parameters.size() == 1) {
+        m_all += {parameters[0] + QStringLiteral(":length()"),
+                  parameters[0] + QStringLiteral(":normalized()")};
+    } else if (parameters.size() == 2) {
+        const QString dot = QStringLiteral("%1:dot(%2)").arg(parameters[0], parameters[1]);
+        m_all += {dot, QStringLiteral("%1 * %2").arg(dot, parameters[1]),
+                  QStringLiteral("%1 - %2 * %3").arg(parameters[0], dot, parameters[1])};
+    }
+}
+
+/// The mass of a ball; the factors that all have in common do not count.
+void Quantities::addMasses()
+{
+    for (const NamedCircle &circle : m_names.circles()) {
+        const QString mass = QStringLiteral("%1 * %2 ^ 3").arg(circle.density, circle.radius);
+        m_all += {mass, QStringLiteral("1 / (%1)").arg(mass)};
+    }
+}
+
+bool Quantities::isPart(const QString &value) const
+{
+    const auto bare = [](QString text) {
+        return text.remove(QLatin1Char(' ')).remove(QLatin1Char('(')).remove(QLatin1Char(')'));
+    };
+    return std::any_of(m_parts.begin(), m_parts.end(),
+                       [&](const QString &part) { return bare(part) == bare(value); });
+}
+
+QStringList Quantities::completed(const QString &value, const QStringList &forgottenNames) const
+{
+    QStringList all;
+    if (m_aspect == Aspect::Motion) {
+        for (const QString &timestep : m_timesteps)
+            all.append(QStringLiteral("%1 + gravity * %2").arg(value, timestep));
+    }
+    const bool isQuestion = value.contains(QLatin1Char('<')) || value.contains(QLatin1Char('>'));
+    if (m_aspect == Aspect::Walls && isQuestion && !m_names.circles().empty()) {
+        const NamedCircle &circle = m_names.circles().front();
+        for (const char *wall :
+             {"x < square.left +", "x > square.right -", "y < square.bottom +", "y > square.top -"})
+            all.append(QStringLiteral("%1 or %2.%3 %4")
+                           .arg(value, circle.position, QLatin1String(wall), circle.radius));
+    }
+    if (m_suspect == Suspect::Masses && !m_names.circles().empty()) {
+        const NamedCircle &circle = m_names.circles().front();
+        all += {QStringLiteral("(%1) * %2").arg(value, circle.density),
+                QStringLiteral("(%1) / %2").arg(value, circle.density),
+                QStringLiteral("1 / (%1)").arg(value)};
+        // Where a radius counts, it may count once too seldom or too often; else it is missing.
+        static const QRegularExpression radius(QStringLiteral("\\br(ad|adius)?_?\\d?\\b"));
+        if (value.contains(radius))
+            all += {QStringLiteral("(%1) * %2").arg(value, circle.radius),
+                    QStringLiteral("(%1) / %2").arg(value, circle.radius)};
+        else
+            all.append(QStringLiteral("(%1) * %2 ^ 3").arg(value, circle.radius));
+    }
+    for (const QString &forgotten : forgottenNames)
+        all += {QStringLiteral("%1 or %2").arg(value, forgotten),
+                QStringLiteral("%1 and %2").arg(value, forgotten)};
+    for (const QString &part : m_across)
+        all.append(QStringLiteral("%1 + %2").arg(value, part));
+    return all;
+}
+
+} // namespace cradle

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/judging/names_at_hand.h"
+
+namespace cradle {
+
+/// What an aspect of a program needs, such as a normal, a distance, the place where a wall turns a
+/// circle: as expressions, in the names of one function.
+class Quantities
+{
+public:
+    Quantities(const NamesAtHand &names, const QSet<QString> &timesteps, Aspect aspect,
+               Suspect suspect);
+
+    /// What may stand in place of a whole value.
+    [[nodiscard]] const QStringList &all() const { return m_all; }
+    /// Those of them that are right wherever a program has them.
+    [[nodiscard]] const QStringList &sound() const { return m_sound; }
+    /// Whether a value is written as a part of such: a coordinate, a radius.
+    [[nodiscard]] bool isPart(const QString &value) const;
+    /// A value with what it may lack.
+    /// \param forgottenNames  of what was worked out and is not used
+    [[nodiscard]] QStringList completed(const QString &value,
+                                        const QStringList &forgottenNames) const;
+
+private:
+    void addContact(const NamedCircle &a, const NamedCircle &b);
+    void addResponse(const NamedCircle &a, const NamedCircle &b, const QStringList &masses);
+    void addHelper(const QStringList &parameters);
+    void addMasses();
+
+    const NamesAtHand &m_names;
+    const QSet<QString> &m_timesteps;
+    Aspect m_aspect;
+    Suspect m_suspect;
+    QStringList m_all{};
+    QStringList m_sound{};
+    QStringList m_parts{};
+    QStringList m_across{}; ///< parts of velocities that a hit leaves as they are
+};
+
+} // namespace cradle
