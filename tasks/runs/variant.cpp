@@ -176,8 +176,9 @@ private:
             const Vec2 place = 0.5 * drawStart(m_random);
             body.position = i == 0 ? Vec2{} : place;
             const Vec2 way = corner - body.position;
+            const int round = i / 4; // of the four corners
             const double degrees = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi
-                                   + (i / 4) * (i % 2 == 0 ? 1.5 : -1.5);
+                                   + round * (i % 2 == 0 ? 1.5 : -1.5);
             // Fast enough to come there in time.
             const double speed =
                 std::max(range(m_spec.speeds), length(way) / (0.6 * m_spec.duration));
@@ -221,7 +222,8 @@ private:
             m_slow = {m_random.between(3.8, 4.2), m_random.uniform()};
         const double speed = m_slow.x * std::max(std::abs(pull), slowestHit);
         const int half = (m_spec.count + 1) / 2;
-        const double phase = (i / 2 + m_slow.y) / half;
+        const int pair = i / 2; // one to the floor, one to the ceiling
+        const double phase = (pair + m_slow.y) / half;
         for (const int circle : m_spec.circles) {
             Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
             const double room = preset.halfWidth - c.radius;
