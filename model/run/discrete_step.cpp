@@ -38,6 +38,10 @@ void DiscreteStep::hitWalls(const Rules &rules, World &world, std::vector<Hit> &
     for (std::size_t i = 0; i < world.circles.size(); ++i) {
         Circle &c = world.circles[i];
         const Vec2 moved = c.position;
+        // Most are at no wall.
+        if (std::abs(moved.x) + c.radius <= rules.halfWidth
+            && std::abs(moved.y) + c.radius <= rules.halfWidth)
+            continue;
         for (const Wall wall : allWalls) {
             const Vec2 n = outwardNormal(wall);
             if (dot(moved, n) + c.radius <= rules.halfWidth)
