@@ -21,6 +21,7 @@ private slots:
     void whatTouchesHitsAtOnce();
     void aHeapNeitherOverlapsNorGainsEnergy_data();
     void aHeapNeitherOverlapsNorGainsEnergy();
+    void aThousandThatDoNotReboundHardlyOverlap();
     void noStepOfAHeapGainsEnergy_data();
     void noStepOfAHeapGainsEnergy();
     void aHeapFallsAsleep();
@@ -196,6 +197,25 @@ void TestHeaps::aHeapNeitherOverlapsNorGainsEnergy()
         const double gain = (energyOf(run) - least) / start;
         QVERIFY2(gain <= 1e-9, QByteArray::number(gain).constData());
         least = std::min(least, energyOf(run));
+    }
+}
+
+/// With e = 0 they come down as one dense mass, whose pushes take many sweeps.
+void TestHeaps::aThousandThatDoNotReboundHardlyOverlap()
+{
+    Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, Timing::Continuous});
+    preset.gravity = {0, -g};
+    preset.restitution = 0.0;
+    preset.halfWidth = 8.9;
+    preset.fill = CircleFill{.count = 1000, .radius = 0.2, .rmsSpeed = 2.0, .seed = 3};
+    preset.circles = *makeCircles(*preset.fill, preset.halfWidth);
+    for (PresetCircle &c : preset.circles)
+        c.integrator = Integrator::Verlet;
+    Run run(preset);
+    for (int step = 0; step < 110; ++step) {
+        run.steps(1);
+        const double overlap = deepestOverlap(run.world.circles, preset.halfWidth);
+        QVERIFY2(overlap <= 3e-4, QByteArray::number(overlap).constData());
     }
 }
 

@@ -21,7 +21,10 @@ constexpr int mostSetRight = 120000;
 constexpr int surelySweeps = 120;
 constexpr double sweepsPerRow = 10.0;
 constexpr double fewPileRows = 32.0;
-/// Then it is seen whether there are other contacts.
+/// And so many once more, where circles would then overlap by more than this share of what may be
+/// in the mean: to part them in a dense heap would take longer.
+constexpr double hardOverlap = 0.25;
+/// After so many it is seen whether there are other contacts.
 constexpr int firstSweeps = 16;
 /// So often, at most, however few the sweeps.
 constexpr int mostRounds = 40;
@@ -108,6 +111,18 @@ bool addMissed(const Pile &pile, const PilePushes &pushes, std::span<const Vec2>
     return motion.contacts.size() > before;
 }
 
+/// By how much the contacts would overlap at \p velocities (m/s), all together: for each circle,
+/// in overlaps that may be.
+double overlapOf(const Pile &pile, const PileMotion &motion, std::span<const Vec2> velocities)
+{
+    double sum = 0.0;
+    for (const PileContact &c : motion.contacts) {
+        const double closing = dot(velocities[c.a] - velocities[c.b], c.normal);
+        sum += std::max(0.0, pile.dt * (closing - c.limit) - pile.apart);
+    }
+    return sum / (pile.borne * pile.count());
+}
+
 /// Whether a circle goes farther than whom it may meet was looked for; its way is that now, m.
 bool haveComeFar(const Pile &pile, std::span<const Vec2> velocities, std::span<double> ways)
 {
@@ -130,11 +145,16 @@ void findMotion(const Pile &pile, PilePushes &pushes, PileMotion &motion)
     int looks = 1;
     int taken = 0; // sweeps
     int part = firstSweeps;
+    int more = 0; // sweeps, where all are taken in vain
     for (int round = 0; round < mostRounds; ++round) {
         pile.setFree(bodies);
         const int sweeps = solvePile(motion.contacts, bodies, pile.tolerance, part);
         taken += sweeps;
-        const int left = mostSweeps(pile, motion.contacts.size()) - taken;
+        int left = mostSweeps(pile, motion.contacts.size()) + more - taken;
+        if (left <= 0 && more == 0 && overlapOf(pile, motion, bodies.velocities) > hardOverlap) {
+            more = surelySweeps;
+            left += more;
+        }
         const bool ends = left <= 0 || sweeps < part;
         part = std::clamp(left, firstSweeps, 2 * part);
         if (looks < mostLooks && haveComeFar(pile, bodies.velocities, ways)) {
