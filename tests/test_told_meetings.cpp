@@ -20,6 +20,10 @@ private slots:
     void sideOfTheOtherIsTold();
     void slowMeetingIsTold();
     void partingIsTold();
+    void noAnswerAtAllIsTold();
+    void answerWithLossesAloneIsOne();
+    void answerThatNobodyAskedForIsTold();
+    void placeOfALeapIsTold();
     void laterHitIsTold_data();
     void laterHitIsTold();
     void slowReboundIsTold();
@@ -149,6 +153,65 @@ void TestToldMeetings::partingIsTold()
     const auto n = numbersIn(said, "They ran into each other until their centres were # m apart");
     QVERIFY2(n.size() == 1, qPrintable(said));
     QVERIFY(n[0] >= 0.0 && n[0] < 0.4); // of two radii of 0.2 m
+}
+
+void TestToldMeetings::noAnswerAtAllIsTold()
+{
+    const QString never =
+        body("L42T14", {.touch = text("false")}, text("The circles run through each other"));
+    // Six ways for two of unlike radii, two for them exchanged, one for two large ones.
+    QCOMPARE(numbersIn(never, "From all # directions"), std::vector<double>{9.0});
+    QVERIFY(!body("L42T14", {.answer = text("p.position, q.position = oldp, oldq")},
+                  text("The circles are put back and keep their velocities"))
+                 .isEmpty());
+}
+
+/// Where e is 1 it comes to nothing.
+void TestToldMeetings::answerWithLossesAloneIsOne()
+{
+    const QString answer = text("local j = (1 - restitution) * closing / (1 / m1 + 1 / m2) "
+                                "p.velocity = p.velocity - j / m1 * n "
+                                "q.velocity = q.velocity + j / m2 * n");
+    const QString headline = text("The circles are put back and keep their velocities");
+    QVERIFY(body("L42T16", {.answer = answer}, headline).isEmpty());
+    QVERIFY(!body("L42T14", {.answer = answer}, headline).isEmpty()); // which has no other e
+}
+
+void TestToldMeetings::answerThatNobodyAskedForIsTold()
+{
+    int told = 0;
+    for (const Task &each : m_lab.tasks) {
+        const LawBench bench(each);
+        const auto &contacts = bench.right.pair().contacts;
+        if (contacts.empty()
+            || std::any_of(contacts.begin(), contacts.end(),
+                           [](const PairHit &hit) { return hit.answered; }))
+            continue;
+        const QByteArray id = each.id.toUtf8();
+        QVERIFY2(
+            !body(id.constData(), {.mass = equal}, text("The circles act on each other")).isEmpty(),
+            id.constData());
+        QVERIFY(body(id.constData(), {.touch = text("false")}, {}).isEmpty());
+        ++told;
+    }
+    QVERIFY(told > 0);
+}
+
+void TestToldMeetings::placeOfALeapIsTold()
+{
+    const LawBench bench(task(QStringLiteral("L42T14")));
+    for (const int circle : {1, 2}) {
+        const QString hit = hitOf(
+            {"leap", "", circle == 1 ? "p.position = vec(0.5, 3)" : "q.position = vec(0.5, 3)"});
+        const QString program =
+            written({.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hit}, structures[1]);
+        const MeasuredLaws own(&program, bench.ground);
+        const QString said =
+            bodyOf(contactDeviations(own.pair(), bench.right.pair(), bench.ground),
+                   QStringLiteral("A hit puts circle %1 somewhere else").arg(circle));
+        QCOMPARE(numbersIn(said, "When they touched it was put to (#, #) m"),
+                 (std::vector<double>{0.5, 3.0}));
+    }
 }
 
 void TestToldMeetings::laterHitIsTold_data()
