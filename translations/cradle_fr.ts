@@ -802,15 +802,15 @@
     </message>
     <message>
         <source>At step %1 circle %2 was already leaving the %3 with %4 m/s and was turned round again; it should be left alone</source>
-        <translation>Au pas %1, le cercle %2 quittait déjà %3 avec %4 m/s et a été renvoyé de nouveau&#xa0;; il faut le laisser partir</translation>
+        <translation>Au pas %1, le cercle %2 quittait déjà %3 à %4 m/s et a été renvoyé de nouveau&#xa0;; il faut le laisser partir</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; %6 m/s is right</source>
-        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s&#xa0;; il faut %6 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 à %4 m/s et en est reparti à %5 m/s&#xa0;; il faut %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 circle %2 came to the %3 with %4 m/s and left it with %5 m/s; −e times %4 m/s with e = %6 is %7 m/s</source>
-        <translation>Au pas %1, le cercle %2 est arrivé contre %3 avec %4 m/s et en est reparti avec %5 m/s&#xa0;; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est arrivé contre %3 à %4 m/s et en est reparti à %5 m/s&#xa0;; −e fois %4 m/s avec e = %6 donne %7 m/s</translation>
     </message>
     <message>
         <source>At step %1 the rim of circle %2 is %3 m beyond the %4; at most the way of one step, %5 m, is right</source>
@@ -826,7 +826,7 @@
     </message>
     <message>
         <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
-        <translation>Au pas %1, le cercle 1 est sorti du choc avec %2 m/s et le cercle 2 avec %3 m/s&#xa0;; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
+        <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s&#xa0;; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
@@ -846,7 +846,7 @@
     </message>
     <message>
         <source>At step %1 circle %2 left the first hit with %3 m/s; %4 m/s is right</source>
-        <translation>Au pas %1, le cercle %2 est sorti du premier choc avec %3 m/s&#xa0;; il faut %4 m/s</translation>
+        <translation>Au pas %1, le cercle %2 est sorti du premier choc à %3 m/s&#xa0;; il faut %4 m/s</translation>
     </message>
     <message>
         <source>At step %1 the kinetic energy was %2 J before the hit and %3 J after it; with e below 1 it should be less</source>
@@ -2937,7 +2937,7 @@ Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
-        <translation>Le cercle %5 est arrivé contre %1 avec %2 m/s et en est reparti avec %3 m/s&#xa0;; il faut %4 m/s.</translation>
+        <translation>Le cercle %5 est arrivé contre %1 à %2 m/s et en est reparti à %3 m/s&#xa0;; il faut %4 m/s.</translation>
     </message>
     <message>
         <source>A smooth wall pushes along its normal only.</source>
