@@ -37,6 +37,7 @@ private slots:
     void distanceIsAMeasure();
     void nearestIsFound_data();
     void nearestIsFound();
+    void slipsAreBorneByLength();
     void firstOfEquallyNearIsTaken();
     void nothingKnownSuggestsNothing();
 };
@@ -114,6 +115,19 @@ void TestNearestName::nearestIsFound()
 {
     QFETCH(QString, nearest);
     QCOMPARE(nearestName(text(QTest::currentDataTag()), fields()), nearest);
+}
+
+/// One letter in three, at least one, at most three, and never all.
+void TestNearestName::slipsAreBorneByLength()
+{
+    const int most[] = {0, 0, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3}; // of so many letters
+    for (int letters = 1; letters < 14; ++letters) {
+        const QString known = text("abcdefghijklmnopq").left(letters);
+        for (int slips = 1; slips <= std::min(letters, 5); ++slips) {
+            const QString name = QString(slips, QLatin1Char('z')) + known.mid(slips);
+            QCOMPARE(nearestName(name, {known}), slips <= most[letters] ? known : QString());
+        }
+    }
 }
 
 void TestNearestName::firstOfEquallyNearIsTaken()
