@@ -3,6 +3,7 @@
 #include "tasks/runs/variant.h"
 
 #include "tasks/runs/observation.h"
+#include "tasks/runs/shot_scene.h"
 
 #include "tests/programs.h"
 #include "tests/scenes.h"
@@ -27,6 +28,7 @@ private slots:
     void shotsAreNamedByTheirDirection_data();
     void shotsAreNamedByTheirDirection();
     void slowHitsDivideAStep();
+    void whatDriftsFliesAsLongAsTheSquareAllows();
 };
 
 namespace {
@@ -209,6 +211,25 @@ void TestShotScenes::slowHitsDivideAStep()
             std::sort(each.begin(), each.end());
             for (std::size_t i = 1; i < each.size(); ++i)
                 QVERIFY(std::abs(each[i] - each[i - 1] - 1.0 / 6.0) < 1e-9);
+        }
+    }
+}
+
+/// Thrown up and back again under gravity over four fifths of the height: h = g t² / 8.
+void TestShotScenes::whatDriftsFliesAsLongAsTheSquareAllows()
+{
+    constexpr double g = 9.81;
+    CheckSpec check = shots(QStringLiteral("directions"));
+    check.scene.insert(QStringLiteral("gravity"), json({0.0, -g}));
+    check.scene.insert(QStringLiteral("speeds"), json({9.0, 11.0}));
+    for (qint64 seed = 1; seed <= 10; ++seed) {
+        for (const Variant &variant : makeVariants(two(), check, seed)) {
+            const Circle &c = variant.preset.circles[1 - shotOf(variant)].body;
+            const double height = 0.8 * 2.0 * (4.0 - c.radius);
+            const double flight = std::sqrt(8.0 * height / g);
+            QVERIFY(flight < variant.duration);
+            QVERIFY2(timeToWall(variant.preset, c) > flight - 1e-9, qPrintable(variant.name));
+            QVERIFY(std::abs(c.velocity.y - 0.5 * g * flight) < 0.9 + 1e-9);
         }
     }
 }
