@@ -29,7 +29,7 @@ constexpr int firstSweeps = 16;
 /// So often, at most, however few the sweeps.
 constexpr int mostRounds = 40;
 /// A pile whose pushes throw circles farther than was foreseen looks around anew, so often.
-constexpr int mostLooks = 4;
+constexpr int mostLooks = 8;
 
 /// Sweeps over so many contacts in a step, at most.
 int mostSweeps(const Pile &pile, std::size_t contacts)
@@ -123,14 +123,17 @@ double overlapOf(const Pile &pile, const PileMotion &motion, std::span<const Vec
     return sum / (pile.borne * pile.count());
 }
 
-/// Whether a circle goes farther than whom it may meet was looked for; its way is that now, m.
+/// Whether a circle goes farther than whom it may meet was looked for; its way is half as far again
+/// now, m, lest the next pushes, which may throw it a little farther, want another look.
 bool haveComeFar(const Pile &pile, std::span<const Vec2> velocities, std::span<double> ways)
 {
     bool far = false;
     for (Pile::Body i = 0; i < pile.count(); ++i) {
         const double way = pile.dt * quickLength(velocities[i]);
-        far = far || way > ways[i];
-        ways[i] = std::max(ways[i], way);
+        if (way <= ways[i])
+            continue;
+        far = true;
+        ways[i] = 1.5 * way;
     }
     return far;
 }
