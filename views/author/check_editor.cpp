@@ -9,6 +9,7 @@
 #include "views/author/parameter_form.h"
 #include "views/author/rows_list.h"
 #include "views/author/scene_form.h"
+#include "views/choice_box.h"
 #include "views/on_change.h"
 
 #include <QComboBox>
@@ -44,8 +45,7 @@ void CheckEditor::makeLayout()
     m_sceneHeading = makeHeading(this);
     m_title = new QLineEdit(this);
     m_id = new QLineEdit(this);
-    m_kind = new QComboBox(this);
-    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_kind = new ChoiceBox(this);
     m_purpose = makeMutedText(this);
     m_circles = new CirclesLine(m_texts, this);
     m_points = new QLineEdit(this);

@@ -9,11 +9,10 @@
 namespace cradle {
 
 LanguageBox::LanguageBox(AuthorDocument &document, QWidget *parent)
-    : QComboBox(parent)
+    : ChoiceBox(parent)
     , m_document(document)
 {
     setObjectName(QStringLiteral("textLanguage"));
-    setSizeAdjustPolicy(QComboBox::AdjustToContents);
     keepTranslated(this, &LanguageBox::retranslate);
     showLanguages();
     connect(&document, &AuthorDocument::changed, this, &LanguageBox::showLanguages);

@@ -3,14 +3,13 @@
 #pragma once
 
 #include "views/author/author_document.h"
-
-#include <QComboBox>
+#include "views/choice_box.h"
 
 namespace cradle {
 
 /// The language of all texts of the author's window: those of steps, checks, hints and mistakes.
 /// It stands where every tab can be seen with it, for what is typed goes into that language.
-class LanguageBox final : public QComboBox
+class LanguageBox final : public ChoiceBox
 {
     Q_OBJECT
 public:

@@ -6,6 +6,7 @@
 #include "tasks/runs/scene_spec.h"
 #include "views/author/form_rows.h"
 #include "views/author/parameter_form.h"
+#include "views/choice_box.h"
 #include "views/on_change.h"
 
 #include <QComboBox>
@@ -17,11 +18,10 @@ namespace cradle {
 SceneForm::SceneForm(RefusedTexts &texts, QWidget *parent)
     : QWidget(parent)
     , m_caption(new QLabel(this))
-    , m_kind(new QComboBox(this))
+    , m_kind(new ChoiceBox(this))
     , m_purpose(makeMutedText(this))
     , m_values(new ParameterForm(texts, QStringLiteral("scene"), this))
 {
-    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_kind->setObjectName(QStringLiteral("sceneKind"));
     m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_caption->setBuddy(m_kind);

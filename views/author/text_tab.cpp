@@ -10,6 +10,7 @@
 #include "views/author/questions_editor.h"
 #include "views/author/step_fields.h"
 #include "views/author/values_editor.h"
+#include "views/choice_box.h"
 #include "views/flow_layout.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
@@ -53,10 +54,8 @@ TextTab::~TextTab()
 
 void TextTab::makeLayout()
 {
-    m_part = new QComboBox(this);
-    m_part->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_mode = new QComboBox(this);
-    m_mode->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_part = new ChoiceBox(this);
+    m_mode = new ChoiceBox(this);
     m_figure = new QPushButton(this);
     m_part->setObjectName(QStringLiteral("textPart"));
     setKind(m_figure, "small");

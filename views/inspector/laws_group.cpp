@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/inspector/laws_group.h"
 
+#include "views/choice_box.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
@@ -53,9 +54,7 @@ LawsGroup::LawsGroup(PresetDocument &document, QWidget *parent)
     m_grid->setVerticalSpacing(4);
     int row = 0;
     for (QComboBox **list : {&m_walls, &m_circles, &m_timing}) {
-        *list = new QComboBox(this);
-        // In whatever language and size of texts; Qt keeps an older least size.
-        (*list)->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        *list = new ChoiceBox(this);
         (*list)->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
         (*list)->installEventFilter(this);
         m_captions[row] = new QLabel(this);
