@@ -103,8 +103,9 @@ void NumberHeader::paintSection(QPainter *painter, const QRect &rect, int sectio
     painter->fillRect(rect, theme().panel);
     painter->setFont(columnFont());
     painter->setPen(colour.value<QColor>());
+    // Beside its row in every language: a table is not mirrored.
     painter->drawText(QRectF(rect).adjusted(0.0, 0.0, -headerPad, 0.0),
-                      Qt::AlignRight | Qt::AlignVCenter,
+                      Qt::AlignRight | Qt::AlignAbsolute | Qt::AlignVCenter,
                       model()->headerData(section, orientation(), Qt::DisplayRole).toString());
     painter->restore();
 }
