@@ -38,7 +38,9 @@ public:
     void warn(const QString &text, const std::vector<Offer> &offers = {});
     /// Takes a warning away that is true no more.
     void retract(const QString &text);
-    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString text() const; ///< that is seen
+    /// Of the notice, which a warning may cover; empty: none.
+    [[nodiscard]] QString notice() const { return m_notice.text; }
 
 protected:
     void changeEvent(QEvent *event) override;

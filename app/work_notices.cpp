@@ -37,6 +37,11 @@ WorkNotices::WorkNotices(Workbench &workbench, NoticeBar &notice, QSettings &set
     connect(&workbench, &Workbench::failed, this,
             [this](const Error &error) { m_notice.warn(error.toString()); });
     connect(&workbench, &Workbench::taskChanged, this, &WorkNotices::showTaskNotice);
+    // In another mode there is something else to say; what was closed stays so.
+    connect(&workbench, &Workbench::modeChanged, this, [this] {
+        if (m_taskNotice == m_notice.notice())
+            showTaskNotice();
+    });
     connect(&workbench, &Workbench::heldElsewhere, this, &WorkNotices::showHolder);
     connect(&workbench.check(), &WorkCheck::stepCommitted, this, &WorkNotices::askNameOnce);
     // Not while the lab is being opened.
@@ -143,6 +148,7 @@ void WorkNotices::showTaskNotice()
               }},
              {tr("Got it"), [this] { m_notice.clearNotice(); }}});
     }
+    m_taskNotice = m_notice.notice();
 }
 
 void WorkNotices::showHolder()

@@ -45,6 +45,7 @@ private:
     QSettings &m_settings;
     QWidget &m_window;
     QString m_unsavedWarning; ///< that the program could not be saved
+    QString m_taskNotice;     ///< what there was to say of the step, in this mode
 };
 
 } // namespace cradle

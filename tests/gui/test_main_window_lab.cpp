@@ -48,9 +48,16 @@ void TestMainWindowLab::firstStartShowsStepOnePaused()
     QVERIFY(m_open->simulation().atStart());
     QCOMPARE(m_open->steps()->count(), 17);
     QVERIFY(m_open->window.notice().isVisible());
-    QVERIFY(m_open->says(QStringLiteral("Read the step on the left")));
+    QVERIFY(m_open->says(QStringLiteral("Read the step on the left, set the values")));
+    m_open->bench.setMode(Mode::Code); // where there are none to set
+    QVERIFY(m_open->says(QStringLiteral("Read the step on the left, write your program")));
+    m_open->bench.setMode(Mode::Explore);
+    QVERIFY(m_open->says(QStringLiteral("set the values")));
     m_open->click(QStringLiteral("Got it"));
     QVERIFY(m_open->window.notice().isHidden());
+    m_open->bench.setMode(Mode::Code);
+    QVERIFY(m_open->window.notice().isHidden());
+    m_open->bench.setMode(Mode::Explore);
     QVERIFY(m_open->says(QStringLiteral("Press Check")));
     for (int step = 0; step < 17; ++step)
         QVERIFY(!m_open->isTicked(step));
