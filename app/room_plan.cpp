@@ -52,6 +52,7 @@ RoomPlan::RoomPlan(QMainWindow &window, const Panes &panes)
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     window.setDockNestingEnabled(true);
+    window.setAnimated(false); // nothing moves but the run, whatever the desktop asks for
 }
 
 QSize RoomPlan::body() const

@@ -11,6 +11,7 @@
 #include "views/task_pane/step_dots.h"
 #include "views/values_table.h"
 
+#include <QAbstractAnimation>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
@@ -55,6 +56,7 @@ private slots:
     void nothingOfAPassIsCutOff();
     void eachModeKeepsItsArrangement();
     void dotsOpenStepsAndTheList();
+    void nothingMovesByItself();
 
 private:
     static void addSizes();
@@ -224,6 +226,19 @@ void TestRoom::dotsOpenStepsAndTheList()
     QTest::keyClick(search, Qt::Key_Return);
     QCOMPARE(m_open->bench.current(), 10);
     QVERIFY(!list->isVisible());
+}
+
+/// Who is made ill by motion on a screen sees none but the run, which is started and stopped.
+void TestRoom::nothingMovesByItself()
+{
+    m_open = std::make_unique<OpenWindow>(m_folder);
+    QVERIFY(!m_open->window.isAnimated());
+    for (const Qt::UIEffect effect :
+         {Qt::UI_AnimateMenu, Qt::UI_AnimateCombo, Qt::UI_AnimateTooltip, Qt::UI_AnimateToolBox,
+          Qt::UI_FadeMenu, Qt::UI_FadeTooltip})
+        QVERIFY(!QApplication::isEffectEnabled(effect));
+    for (const auto *each : m_open->window.findChildren<QAbstractAnimation *>())
+        QVERIFY(each->state() == QAbstractAnimation::Stopped);
 }
 
 QTEST_MAIN(TestRoom)
