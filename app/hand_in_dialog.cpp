@@ -43,6 +43,7 @@ HandInDialog::HandInDialog(Workbench &workbench, QWidget *parent)
     }
     m_steps->setRootIsDecorated(false);
     m_steps->setHeaderLabels({tr("Step"), tr("Title"), tr("What is handed in"), tr("Verdict")});
+    fitColumns(); // also while every step is still judged
     m_steps->setAccessibleName(tr("Steps that are handed in"));
     setKind(m_note, "field");
     m_note->setTabChangesFocus(true);
@@ -85,6 +86,12 @@ Sender HandInDialog::sender() const
     return {m_name->text().simplified(), m_number->text().simplified(), m_note->toPlainText()};
 }
 
+void HandInDialog::fitColumns()
+{
+    for (int column = 0; column < m_steps->columnCount(); ++column)
+        m_steps->resizeColumnToContents(column);
+}
+
 void HandInDialog::judge()
 {
     m_workbench.progress().save();
@@ -112,8 +119,7 @@ void HandInDialog::showVerdicts()
                                                                  : tr("not done"));
         row->setToolTip(3, step.explanation);
     }
-    for (int column = 0; column < 4; ++column)
-        m_steps->resizeColumnToContents(column);
+    fitColumns();
     m_progress->hide();
     m_message->setText(tr("%1 of %2 steps pass. All of them are handed in as they are.")
                            .arg(m_handIn->report.passedCount())

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] bool isReady() const { return m_handIn.has_value(); }
 
 private:
+    void fitColumns();
     void judge();
     void showVerdicts();
     void chooseFile();
