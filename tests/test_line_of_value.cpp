@@ -199,6 +199,8 @@ void TestLineOfValue::findingMarksTheLine_data()
     helper("closing speed: along x", "local closing = dot(rel, n)", "local closing = rel.x * n.x");
     helper("reduced mass: lesser", "m1 * m2 / (m1 + m2)", "math.min(m1, m2)");
     helper("push without 2", "local j = 2 * mu", "local j = mu");
+    helper("a number at the question", "< reach", "< 0.4");
+    helper("density forgotten at last", "volume * c.density * 1000", "volume * 1000");
     helper("area of a disc", "4 / 3 * math.pi * c.radius ^ 3", "math.pi * c.radius * c.radius");
     const auto body = [](const char *name, const char *right, const char *wrong) {
         rowOfStep(name, "L42T16", QString::fromLatin1(bodies), right, wrong);
@@ -220,6 +222,7 @@ void TestLineOfValue::findingMarksTheLine_data()
     method("new state: the old velocity", "new_v * dt", "v * dt");
     method("new state: handed on without a radius", "square.left + r, square.right - r",
            "square.left + r, square.right");
+    method("method chosen at the start", "{\"euler\", \"symplectic\"}", "{\"euler\", \"euler\"}");
     method("new state: not turned", "> high and vx > 0 then return -vx",
            "> high and vx > 0 then return vx");
 }

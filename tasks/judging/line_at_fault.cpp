@@ -83,6 +83,18 @@ std::vector<int> suspects(const FaultQuery &query)
             && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
             add(line);
     }
+    // What was chosen or made at the start: a method, a circle.
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    static const QRegularExpression choice(QStringLiteral("\\b(true|false|circle[12])\\b|[\"']"));
+    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
+        const ProgramFunction *function = functionAt(functions, line);
+        if (function && function->name != QLatin1String("on_load"))
+            continue;
+        if (query.aspect == Aspect::Motion && rows[line - 1].contains(choice)
+            && !dead.contains(line)
+            && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
+            add(line);
+    }
     // Who only hands a value on seldom gets it wrong.
     std::set<int> copies;
     std::set<int> works;
@@ -131,7 +143,7 @@ private:
 
 /// What is tried, in the lines first that a teacher would look at first. What lacks something is
 /// completed; then a value that is asked for is taken whole before the words of the question are
-/// changed, but a mass or a motion after its own words were.
+/// changed, but a mass after its own words were.
 std::vector<Repair> changesOf(const FaultQuery &query)
 {
     const bool isOfMasses = query.suspect == Suspect::Masses;
@@ -146,11 +158,11 @@ std::vector<Repair> changesOf(const FaultQuery &query)
         std::move(more.begin(), more.end(), std::back_inserter(changes));
     };
     const auto addValues = [&](Suspect suspect, ValueChange change) {
-        add(valueRepairsOf(query.program, valued, query.aspect, suspect, query.moment, change));
+        add(valueRepairsOf(query.program, valued, query.aspect, suspect, query.moment,
+                           query.ran.now, change));
     };
     addValues(query.suspect, ValueChange::Completed);
-    const bool isWordsFirst = isOfMasses || query.aspect == Aspect::Motion;
-    if (!isWordsFirst)
+    if (!isOfMasses)
         addValues(query.suspect, ValueChange::Replaced);
     const std::size_t most = mostRepairs(query.suspect);
     std::vector<Repair> words = repairsOf(query.program, query.reference, near, most);
@@ -158,11 +170,11 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     add(std::move(words));
     if (!isWhole)
         add(repairsOf(query.program, query.reference, all, most));
-    if (isWordsFirst)
+    if (isOfMasses)
         addValues(query.suspect, ValueChange::Replaced);
     else if (query.aspect == Aspect::Response)
         add(valueRepairsOf(query.program, all, query.aspect, Suspect::Masses, query.moment,
-                           ValueChange::Completed));
+                           query.ran.now, ValueChange::Completed));
     return changes;
 }
 

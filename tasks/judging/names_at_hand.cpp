@@ -58,6 +58,19 @@ NamesAtHand::NamesAtHand(const ProgramLines &program,
     m_parameters = function ? function->parameters : QStringList{};
     nameCircles(program, assignments, names);
     nameNumbers(program, names);
+    static const QRegularExpression normal(QStringLiteral("^(n|normal|dir|direction|unit)$"));
+    for (const ProgramAssignment &each : assignments) {
+        if (each.isField || each.line >= line || !isWithin(each.line))
+            continue;
+        if (each.name.contains(normal) && !m_normals.contains(each.name))
+            m_normals.append(each.name);
+        for (std::size_t i = each.from; i < each.to; ++i) {
+            const bool isRadius =
+                program.is(i, "radius") || m_radii.contains(program.tokens()[i].text);
+            if (isRadius && !isHandedOn(program, each))
+                m_ofRadius.append(each.name);
+        }
+    }
 }
 
 void NamesAtHand::nameCircles(const ProgramLines &program,

@@ -30,6 +30,10 @@ public:
     [[nodiscard]] std::optional<std::pair<NamedCircle, NamedCircle>> pair() const;
     /// What radii are called, also those of no named circle.
     [[nodiscard]] QStringList radii() const;
+    /// Variables that are called as normals are.
+    [[nodiscard]] const QStringList &normals() const { return m_normals; }
+    /// Variables that are worked out of a radius.
+    [[nodiscard]] const QStringList &ofRadius() const { return m_ofRadius; }
     [[nodiscard]] const QStringList &parameters() const { return m_parameters; }
     /// What two masses are called; nothing if there are not two.
     [[nodiscard]] const QStringList &masses() const { return m_masses; }
@@ -40,7 +44,9 @@ private:
     void nameNumbers(const ProgramLines &program, const std::vector<std::size_t> &names);
     std::vector<NamedCircle> m_circles{};
     QStringList m_masses{};
-    QStringList m_radii{};      ///< variables
+    QStringList m_radii{}; ///< variables
+    QStringList m_normals{};
+    QStringList m_ofRadius{};
     QStringList m_parameters{}; ///< of the function
 };
 

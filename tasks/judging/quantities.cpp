@@ -26,6 +26,8 @@ Quantities::Quantities(const NamesAtHand &names, const QSet<QString> &timesteps,
     , m_suspect(suspect)
 {
     const auto pair = names.pair();
+    if (pair && (aspect == Aspect::Contact || aspect == Aspect::Response))
+        addPair(pair->first, pair->second);
     switch (aspect) {
     case Aspect::Motion:
         m_all = {QStringLiteral("gravity"), QStringLiteral("gravity.x"),
@@ -60,20 +62,43 @@ Quantities::Quantities(const NamesAtHand &names, const QSet<QString> &timesteps,
     }
 }
 
+/// What is right wherever two circles are named: ways, distances, normals, and the parts of
+/// velocities along a normal, also one that the program has a name for.
+void Quantities::addPair(const NamedCircle &a, const NamedCircle &b)
+{
+    const QString way = QStringLiteral("(%1 - %2)").arg(b.position, a.position);
+    const QString length = way + QStringLiteral(":length()");
+    const QString normal = way + QStringLiteral(":normalized()");
+    const QString sum = QStringLiteral("%1 + %2").arg(a.radius, b.radius);
+    m_sound = QStringList{sum,
+                          length,
+                          QStringLiteral("%1 - (%2)").arg(length, sum),
+                          QStringLiteral("%1 - %2").arg(sum, length),
+                          normal,
+                          QLatin1Char('-') + normal}
+              + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position)
+              + eitherWay(QStringLiteral("%1 - %2"), a.velocity, b.velocity);
+    for (const QString &along : QStringList{normal} + m_names.normals()) {
+        for (const QString &velocity : {a.velocity, b.velocity})
+            m_sound += {QStringLiteral("%1:dot(%2)").arg(velocity, along),
+                        QStringLiteral("-%1:dot(%2)").arg(velocity, along)};
+        m_sound += eitherWay(QStringLiteral("(%1 - %2):dot(") + along + QLatin1Char(')'),
+                             a.velocity, b.velocity);
+    }
+    m_parts = eitherWay(QStringLiteral("%1.x - %2.x"), b.position, a.position)
+              + eitherWay(QStringLiteral("%1.y - %2.y"), b.position, a.position);
+}
+
 void Quantities::addContact(const NamedCircle &a, const NamedCircle &b)
 {
     const QString way = QStringLiteral("(%1 - %2)").arg(b.position, a.position);
     const QString length = way + QStringLiteral(":length()");
     const QString sum = QStringLiteral("%1 + %2").arg(a.radius, b.radius);
     const QString relative = QStringLiteral("(%1 - %2)").arg(a.velocity, b.velocity);
-    m_sound = QStringList{sum, length, QStringLiteral("%1 - (%2)").arg(length, sum),
-                          QStringLiteral("%1 - %2").arg(sum, length)}
-              + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position)
-              + eitherWay(QStringLiteral("%1 - %2"), a.velocity, b.velocity);
-    m_parts = eitherWay(QStringLiteral("%1.x - %2.x"), b.position, a.position)
-              + eitherWay(QStringLiteral("%1.y - %2.y"), b.position, a.position)
-              + QStringList{a.radius, b.radius};
-    m_all = m_sound + m_parts.mid(0, 4)
+    m_all = QStringList{sum, length, QStringLiteral("%1 - (%2)").arg(length, sum),
+                        QStringLiteral("%1 - %2").arg(sum, length)}
+            + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position)
+            + eitherWay(QStringLiteral("%1 - %2"), a.velocity, b.velocity) + m_parts
             + QStringList{QStringLiteral("%1:dot%2").arg(relative, way),
                           QStringLiteral("-%1:dot%2").arg(relative, way),
                           way + QStringLiteral(":normalized()")};
@@ -81,8 +106,7 @@ void Quantities::addContact(const NamedCircle &a, const NamedCircle &b)
 
 void Quantities::addResponse(const NamedCircle &a, const NamedCircle &b, const QStringList &masses)
 {
-    const QString way = QStringLiteral("(%1 - %2)").arg(b.position, a.position);
-    const QString normal = way + QStringLiteral(":normalized()");
+    const QString normal = QStringLiteral("(%1 - %2):normalized()").arg(b.position, a.position);
     const auto along = [&](const QString &velocity) {
         return QStringLiteral("%1:dot(%2)").arg(velocity, normal);
     };
@@ -97,11 +121,6 @@ void Quantities::addResponse(const NamedCircle &a, const NamedCircle &b, const Q
                          QLatin1Char('-') + along(relative)}
              + m_across + eitherWay(QStringLiteral("%1 - %2"), a.velocity, b.velocity)
              + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position);
-    m_sound = QStringList{normal, QLatin1Char('-') + normal, way + QStringLiteral(":length()")}
-              + eitherWay(QStringLiteral("%1 - %2"), b.position, a.position);
-    m_parts = eitherWay(QStringLiteral("%1.x - %2.x"), b.position, a.position)
-              + eitherWay(QStringLiteral("%1.y - %2.y"), b.position, a.position)
-              + QStringList{a.radius, b.radius};
     if (masses.size() != 2)
         return;
     const QString common = QStringLiteral("(%1 * %3 + %2 * %4) / (%1 + %2)")
@@ -133,13 +152,16 @@ void Quantities::addMasses()
     }
 }
 
-bool Quantities::isPart(const QString &value) const
+QStringList Quantities::sides(const QString &value) const
 {
-    const auto bare = [](QString text) {
-        return text.remove(QLatin1Char(' ')).remove(QLatin1Char('(')).remove(QLatin1Char(')'));
-    };
-    return std::any_of(m_parts.begin(), m_parts.end(),
-                       [&](const QString &part) { return bare(part) == bare(value); });
+    static const QRegularExpression reach(
+        QStringLiteral("\\br(ad|adius)?_?\\d?\\b|^[\\d.]*[1-9][\\d.]*$"));
+    static const QRegularExpression distance(QStringLiteral("\\babs\\b|:length"));
+    if (m_sound.size() < 2)
+        return {};
+    return value.contains(distance) ? m_sound.mid(1, 1)
+           : value.contains(reach)  ? m_sound.mid(0, 1)
+                                    : QStringList{};
 }
 
 QStringList Quantities::completed(const QString &value, const QStringList &forgottenNames) const
@@ -157,22 +179,33 @@ QStringList Quantities::completed(const QString &value, const QStringList &forgo
             all.append(QStringLiteral("%1 or %2.%3 %4")
                            .arg(value, circle.position, QLatin1String(wall), circle.radius));
     }
+    static const QRegularExpression radius(QStringLiteral("\\br(ad|adius)?_?\\d?\\b"));
+    if (m_aspect == Aspect::Walls && !isQuestion && !value.contains(radius)
+        && !m_names.radii().isEmpty())
+        all += {QStringLiteral("%1 - %2").arg(value, m_names.radii().front()),
+                QStringLiteral("%1 + %2").arg(value, m_names.radii().front())};
     if (m_suspect == Suspect::Masses && !m_names.circles().empty()) {
         const NamedCircle &circle = m_names.circles().front();
         all += {QStringLiteral("(%1) * %2").arg(value, circle.density),
                 QStringLiteral("(%1) / %2").arg(value, circle.density),
                 QStringLiteral("1 / (%1)").arg(value)};
         // Where a radius counts, it may count once too seldom or too often; else it is missing.
-        static const QRegularExpression radius(QStringLiteral("\\br(ad|adius)?_?\\d?\\b"));
-        if (value.contains(radius))
+        const bool isOfRadius =
+            value.contains(radius)
+            || (!value.contains(QLatin1String("density"))
+                && std::any_of(m_names.ofRadius().begin(), m_names.ofRadius().end(),
+                               [&](const QString &name) { return value.contains(name); }));
+        if (isOfRadius)
             all += {QStringLiteral("(%1) * %2").arg(value, circle.radius),
                     QStringLiteral("(%1) / %2").arg(value, circle.radius)};
         else
             all.append(QStringLiteral("(%1) * %2 ^ 3").arg(value, circle.radius));
     }
-    for (const QString &forgotten : forgottenNames)
-        all += {QStringLiteral("%1 or %2").arg(value, forgotten),
-                QStringLiteral("%1 and %2").arg(value, forgotten)};
+    static const QRegularExpression name(QStringLiteral("^\\w+$"));
+    for (const QString &forgotten : forgottenNames) {
+        if (isQuestion || value.contains(name))
+            all.append(QStringLiteral("%1 or %2").arg(value, forgotten));
+    }
     for (const QString &part : m_across)
         all.append(QStringLiteral("%1 + %2").arg(value, part));
     return all;

@@ -19,14 +19,18 @@ public:
     [[nodiscard]] const QStringList &all() const { return m_all; }
     /// Those of them that are right wherever a program has them.
     [[nodiscard]] const QStringList &sound() const { return m_sound; }
-    /// Whether a value is written as a part of such: a coordinate, a radius.
-    [[nodiscard]] bool isPart(const QString &value) const;
+    /// Coordinates of such: right where they are all that a program gives.
+    [[nodiscard]] const QStringList &parts() const { return m_parts; }
+    /// What may stand on a side of a question of contact in place of a value: the sum of the radii,
+    /// the distance.
+    [[nodiscard]] QStringList sides(const QString &value) const;
     /// A value with what it may lack.
     /// \param forgottenNames  of what was worked out and is not used
     [[nodiscard]] QStringList completed(const QString &value,
                                         const QStringList &forgottenNames) const;
 
 private:
+    void addPair(const NamedCircle &a, const NamedCircle &b);
     void addContact(const NamedCircle &a, const NamedCircle &b);
     void addResponse(const NamedCircle &a, const NamedCircle &b, const QStringList &masses);
     void addHelper(const QStringList &parameters);

@@ -6,6 +6,8 @@
 #include <QSet>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -117,6 +119,32 @@ void exchangeName(RepairList &repairs, std::size_t i)
     }
 }
 
+/// A call of another function that takes as much; the other truth; the other of two texts.
+void exchangeChoice(RepairList &repairs, std::size_t i)
+{
+    const ProgramToken &token = repairs.tokens()[i];
+    if (token.is("true") || token.is("false"))
+        repairs.replace(token, token.is("true") ? QStringLiteral("false") : QStringLiteral("true"));
+    const auto &functions = repairs.functions();
+    const auto named = [&](const QString &name) {
+        return std::find_if(functions.begin(), functions.end(),
+                            [&](const ProgramFunction &each) { return each.name == name; });
+    };
+    const bool isText = token.kind == ProgramToken::Kind::Text;
+    const QString name = isText ? token.text.mid(1, token.text.size() - 2) : token.text;
+    const auto own = named(name);
+    if (own == functions.end() || name.isEmpty() || !(isText || repairs.is(i + 1, "("))
+        || (i > 0 && repairs.is(i - 1, "function")))
+        return;
+    for (const ProgramFunction &other : functions) {
+        const bool isLike = other.parameters.size() == own->parameters.size() && other.name != name
+                            && !other.name.isEmpty();
+        if (isLike)
+            repairs.replace(token.line, token.start + (isText ? 1 : 0),
+                            token.end() - (isText ? 1 : 0), other.name);
+    }
+}
+
 /// What belongs to one circle, taken from another that is named nearby.
 void exchangeOwner(RepairList &repairs, std::size_t i)
 {
@@ -137,6 +165,7 @@ void repairWords(RepairList &repairs, std::size_t i)
     changeSign(repairs, i);
     exchangeName(repairs, i);
     exchangeOwner(repairs, i);
+    exchangeChoice(repairs, i);
 }
 
 } // namespace cradle

@@ -5,6 +5,8 @@
 #include "tasks/judging/quantities.h"
 #include "tasks/judging/repair_list.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <set>
 
@@ -19,10 +21,42 @@ constexpr std::size_t mostValueRepairs = 300;
 struct Value {
     std::size_t from;
     std::size_t to;
+    bool isSide = false; ///< of a question
 };
 
-/// What line \p line gives, returns or hands on to a function.
-std::vector<Value> valuesAt(const RepairList &repairs, int line, bool withArguments)
+/// The first token of the sum that ends before \p end, in a question.
+std::size_t sumStart(const ProgramLines &program, std::size_t end)
+{
+    std::size_t at = end;
+    int depth = 0;
+    while (at > 0) {
+        const ProgramToken &token = program.tokens()[at - 1];
+        if (depth == 0
+            && (token.kind == ProgramToken::Kind::Keyword || token.is("(") || token.is(",")
+                || token.is("=")))
+            break;
+        depth += token.is(")") || token.is("]") ? 1 : token.is("(") || token.is("[") ? -1 : 0;
+        --at;
+    }
+    return at;
+}
+
+/// The token after the sum that begins at \p i.
+std::size_t afterSum(const ProgramLines &program, std::size_t i)
+{
+    std::size_t at = program.afterOperand(program.is(i, "-") ? i + 1 : i);
+    while (program.is(at, "+") || program.is(at, "-") || program.is(at, "*") || program.is(at, "/")
+           || program.is(at, "^")) {
+        const std::size_t next = program.afterOperand(at + 1);
+        if (next == at + 1)
+            break;
+        at = next;
+    }
+    return at;
+}
+
+/// What line \p line gives, returns, hands on to a function or compares.
+std::vector<Value> valuesAt(const RepairList &repairs, int line, Aspect aspect)
 {
     const ProgramLines &program = repairs.program();
     std::vector<Value> values;
@@ -31,7 +65,7 @@ std::vector<Value> valuesAt(const RepairList &repairs, int line, bool withArgume
             const std::size_t to = afterExpression(program, from);
             if (to == from)
                 return;
-            values.push_back({from, to});
+            values.push_back({from, to, false});
             if (!program.is(to, ","))
                 return;
             from = to + 1;
@@ -39,20 +73,42 @@ std::vector<Value> valuesAt(const RepairList &repairs, int line, bool withArgume
     };
     for (const ProgramAssignment &each : repairs.assignments()) {
         if (each.line == line && each.from < each.to)
-            values.push_back({each.from, each.to});
+            values.push_back({each.from, each.to, false});
     }
     for (const std::size_t i : program.tokensOf(line)) {
-        const bool calls = withArguments && program.is(i, "(") && i > 0
-                           && program.tokens()[i - 1].kind == ProgramToken::Kind::Name;
+        const bool calls =
+            program.is(i, "(") && i > 0
+            && (aspect == Aspect::Walls || aspect == Aspect::Motion
+                || std::any_of(repairs.functions().begin(), repairs.functions().end(),
+                               [&](const ProgramFunction &function) {
+                                   return function.name == program.tokens()[i - 1].text;
+                               }));
+        const bool compares =
+            program.is(i, "<") || program.is(i, ">") || program.is(i, "<=") || program.is(i, ">=");
+        if (compares && aspect == Aspect::Contact) {
+            for (const Value &side : {Value{sumStart(program, i), i, true},
+                                      Value{i + 1, afterSum(program, i + 1), true}}) {
+                if (side.from < side.to)
+                    values.push_back(side);
+            }
+        }
         if (program.is(i, "return") || calls)
             addList(i + 1);
     }
     return values;
 }
 
+/// Whether a value is a difference of what has names, with nothing worked out.
+bool isDifference(const QString &text)
+{
+    static const QRegularExpression plain(QStringLiteral("^[\\w.\\s\\[\\]]+-[\\w.\\s\\[\\]]+$"));
+    return text.contains(plain);
+}
+
 /// Whether a value may be one that the fault is about: a motion needs numbers and gravity, a mass
 /// is worked out.
-bool isSuspicious(const ProgramLines &program, const Value &value, Aspect aspect, Suspect suspect)
+bool isSuspicious(const ProgramLines &program, const Value &value, Aspect aspect, Suspect suspect,
+                  ValueChange change)
 {
     const auto any = [&](const auto &fits) {
         for (std::size_t i = value.from; i < value.to; ++i) {
@@ -62,10 +118,13 @@ bool isSuspicious(const ProgramLines &program, const Value &value, Aspect aspect
         return false;
     };
     if (aspect == Aspect::Motion)
-        return any([](const ProgramToken &token) {
+        return any([&](const ProgramToken &token) {
             return token.kind == ProgramToken::Kind::Number || token.is("gravity")
-                   || token.is("velocity") || token.is("v");
+                   || (change == ValueChange::Completed && (token.is("velocity") || token.is("v")));
         });
+    // What is a mass at last may lack something, too.
+    if (suspect == Suspect::Masses && program.is(value.from - 1, "return"))
+        return true;
     if (suspect == Suspect::Masses)
         return any([](const ProgramToken &token) {
             return token.is("*") || token.is("/") || token.is("^") || token.is("density");
@@ -109,7 +168,7 @@ bool isSound(const QString &source, qsizetype from, qsizetype to, const QStringL
 
 std::vector<Repair> valueRepairsOf(const QString &source, const std::vector<int> &lines,
                                    Aspect aspect, Suspect suspect, const Moment &moment,
-                                   ValueChange change)
+                                   const std::set<int> &now, ValueChange change)
 {
     const ProgramLines program(source);
     RepairList repairs(program, true, mostValueRepairs);
@@ -117,9 +176,12 @@ std::vector<Repair> valueRepairsOf(const QString &source, const std::vector<int>
     std::vector<int> order(inOrder.begin(), inOrder.end());
     if (suspect == Suspect::Masses)
         std::reverse(order.begin(), order.end());
-    const bool withArguments = aspect == Aspect::Walls || aspect == Aspect::Motion;
+    // What runs at the moment before what was worked out at the start.
+    std::stable_partition(order.begin(), order.end(), [&](int line) {
+        return suspect == Suspect::Masses || now.contains(line);
+    });
     for (const int line : order) {
-        const std::vector<Value> values = valuesAt(repairs, line, withArguments);
+        const std::vector<Value> values = valuesAt(repairs, line, aspect);
         if (values.empty())
             continue;
         const NamesAtHand names(program, repairs.assignments(), repairs.functions(), line);
@@ -128,12 +190,20 @@ std::vector<Repair> valueRepairsOf(const QString &source, const std::vector<int>
             const qsizetype from = program.tokens()[value.from].start;
             const qsizetype to = program.tokens()[value.to - 1].end();
             const QString text = source.mid(from, to - from);
-            if (!isSuspicious(program, value, aspect, suspect) || quantities.isPart(text)
-                || isSound(source, from, to, quantities.sound(), moment))
+            const QStringList &parts = quantities.parts();
+            // Whose radius it is is another question.
+            static const QRegularExpression radius(QStringLiteral("^\\w+\\.radius$"));
+            if (aspect == Aspect::Contact && !value.isSide && text.contains(radius))
+                continue;
+            if (!isSuspicious(program, value, aspect, suspect, change)
+                || isSound(source, from, to,
+                           quantities.sound() + (isDifference(text) ? parts : QStringList{}),
+                           moment))
                 continue;
             const QStringList others = change == ValueChange::Completed
                                            ? quantities.completed(text, program.forgotten(line))
-                                           : quantities.all();
+                                       : value.isSide ? quantities.sides(text)
+                                                      : quantities.all();
             for (const QString &other : others)
                 repairs.replace(line, from, to, other);
         }

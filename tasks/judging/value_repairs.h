@@ -5,6 +5,8 @@
 #include "tasks/judging/deviation.h"
 #include "tasks/judging/repairs.h"
 
+#include <set>
+
 namespace cradle {
 
 /// What becomes of a value.
@@ -17,9 +19,10 @@ enum class ValueChange {
 /// What is right up to \p moment is left as it is.
 /// \param lines  in which something may be changed; they are tried as they stand in the program, of
 ///               masses from the last
+/// \param now  the lines that run at the moment
 [[nodiscard]] std::vector<Repair> valueRepairsOf(const QString &source,
                                                  const std::vector<int> &lines, Aspect aspect,
                                                  Suspect suspect, const Moment &moment,
-                                                 ValueChange change);
+                                                 const std::set<int> &now, ValueChange change);
 
 } // namespace cradle
