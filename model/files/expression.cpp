@@ -29,14 +29,6 @@ Error noNumber(const QString &text, const QString &why)
     return {.message = ExpressionText::tr("“%1” is no number: %2").arg(text.left(60), why)};
 }
 
-/// So many times a unit: 35 cm are 35/100 m, and 36 km/h 36/3.6 m/s, to the last bit.
-double inUnits(double number, double scale)
-{
-    constexpr double decimals = 1e6;
-    const double parts = std::round(decimals / scale) / decimals;
-    return std::abs(parts * scale - 1.0) < 1e-15 ? number / parts : number * scale;
-}
-
 /// Reads one expression; used once. The first fault ends it.
 class Reader
 {
@@ -183,7 +175,7 @@ private:
         m_at = unit->end;
         if (value.kind == UnitNumber::Kind::Measured)
             return fail(ExpressionText::tr("there is a unit too many"));
-        return UnitNumber::measured(inUnits(value.number, unit->unit.scale), unit->unit.powers);
+        return inUnit(value.number, unit->unit);
     }
 
     UnitNumber named(const QString &name)
@@ -250,18 +242,6 @@ private:
     int m_depth = 0;
     QString m_fault{};
 };
-
-/// The unit that is asked for, as "m/s²" or "1000 kg/m³"; nothing where numbers have none.
-std::optional<UnitNumber> askedUnit(const QString &unit)
-{
-    static const QRegularExpression form(QStringLiteral("^\\s*·?\\s*(\\d*)\\s*(.*)$"));
-    const QRegularExpressionMatch match = form.match(unit);
-    const auto read = unitFrom(match.captured(2));
-    if (!read || read->powers == UnitPowers{})
-        return std::nullopt;
-    const double factor = match.captured(1).isEmpty() ? 1.0 : match.captured(1).toDouble();
-    return UnitNumber::measured(factor * read->scale, read->powers);
-}
 
 } // namespace
 

@@ -109,4 +109,24 @@ std::optional<UnitText> unitAt(const QString &text, qsizetype from,
     return end > from && unit ? std::optional(UnitText{*unit, end}) : std::nullopt;
 }
 
+UnitNumber inUnit(double number, const Unit &unit)
+{
+    constexpr double decimals = 1e6;
+    const double parts = std::round(decimals / unit.scale) / decimals;
+    const double value =
+        std::abs(parts * unit.scale - 1.0) < 1e-15 ? number / parts : number * unit.scale;
+    return UnitNumber::measured(value, unit.powers);
+}
+
+std::optional<UnitNumber> askedUnit(const QString &unit)
+{
+    static const QRegularExpression form(QStringLiteral("^\\s*·?\\s*(\\d*)\\s*(.*)$"));
+    const QRegularExpressionMatch match = form.match(unit);
+    const auto read = unitFrom(match.captured(2));
+    if (!read || read->powers == UnitPowers{})
+        return std::nullopt;
+    const double factor = match.captured(1).isEmpty() ? 1.0 : match.captured(1).toDouble();
+    return UnitNumber::measured(factor * read->scale, read->powers);
+}
+
 } // namespace cradle

@@ -38,6 +38,12 @@ struct UnitNumber {
 /// \return nullopt if its unit would be none: m^0.5, or anything to a power with a unit
 [[nodiscard]] std::optional<UnitNumber> raised(const UnitNumber &base, const UnitNumber &exponent);
 
+/// So many times a unit: 35 cm are 35/100 m, and 36 km/h 36/3.6 m/s, to the last bit.
+[[nodiscard]] UnitNumber inUnit(double number, const Unit &unit);
+
+/// The unit that is asked for, as "m/s²" or "1000 kg/m³"; nullopt where numbers have none.
+[[nodiscard]] std::optional<UnitNumber> askedUnit(const QString &unit);
+
 /// A unit as it stands in a text.
 struct UnitText {
     Unit unit{};
