@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/checks/motion.h"
+#include "tasks/checks/figures.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_library.h"
-#include "tasks/checks/motion.h"
+#include "tasks/checks/contacts.h"
 
 #include "tests/contact_programs.h"
 #include "tests/scenes.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
+#include "tasks/checks/figures.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 

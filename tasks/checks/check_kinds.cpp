@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
 
-#include "model/files/preset_json.h"
+#include "tasks/checks/check_parameters.h"
 #include "tasks/checks/motion.h"
-#include "tasks/checks/parameter_makers.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -24,8 +22,6 @@ struct KindText {
     Q_DECLARE_TR_FUNCTIONS(CheckKinds)
 };
 
-/// Larger numbers than these are mistakes, m, m/s, m/s².
-constexpr double farthest = 1e6;
 /// Of places and velocities that a lab states, m and m/s: six digits behind the point.
 constexpr double stated = 1e-6;
 /// The share of momentum and energy that may be missing: a thousand roundings of a double.
@@ -37,117 +33,6 @@ constexpr double lowestHop = 0.06;
 /// Of the first height. A hit is told up to one step late: at 6 m/s and 1/60 s that is 0.1 m of 2
 /// m.
 constexpr double heightShare = 0.05;
-
-ParameterInfo gravity()
-{
-    return inUnit(make("gravity", Type::Vector, KindText::tr("Gravity"),
-                       KindText::tr("What is right; that of the scene if left out")),
-                  "m/s²", {-farthest, farthest});
-}
-
-ParameterInfo collisions()
-{
-    return usually(make("collisions", Type::Flag, KindText::tr("Circles collide"),
-                        KindText::tr("Leave out the moments at which circles may touch")),
-                   false);
-}
-
-ParameterInfo restitution()
-{
-    return inUnit(make("restitution", Type::Number, KindText::tr("Restitution e"),
-                       KindText::tr("What is right; that of the scene if left out")),
-                  "", {0.0, 1.0});
-}
-
-ParameterInfo hits()
-{
-    return usually(
-        inUnit(make("hits", Type::Count, KindText::tr("Hits at least"),
-                    KindText::tr("How often walls must turn the circles round, together, "
-                                 "in every scene")),
-               "", {0.0, 1000.0}),
-        1);
-}
-
-ParameterInfo visits()
-{
-    return usually(inUnit(make("visits", Type::Count, KindText::tr("Visits at least"),
-                               KindText::tr("How often each circle must come to a wall")),
-                          "", {0.0, 1000.0}),
-                   1);
-}
-
-ParameterInfo freeFlight()
-{
-    return inUnit(make("free", Type::Number, KindText::tr("Free at least"),
-                       KindText::tr("How long each circle must be free of walls and circles; a "
-                                    "tenth of the duration if left out")),
-                  "s", {0.0, 600.0});
-}
-
-ParameterInfo contacts()
-{
-    return usually(inUnit(make("contacts", Type::Count, KindText::tr("Hits at least"),
-                               KindText::tr("How many hits there must be")),
-                          "", {0.0, 1000.0}),
-                   1);
-}
-
-ParameterInfo integrators()
-{
-    const QStringList names = allIntegratorNames();
-    return usually(outOf(make("integrators", Type::Choices, KindText::tr("Integrators"),
-                              KindText::tr("Any of these is right")),
-                         names),
-                   QJsonArray::fromStringList(names));
-}
-
-ParameterInfo laws()
-{
-    return usually(
-        outOf(
-            make("laws", Type::Choices, KindText::tr("Laws"),
-                 KindText::tr("Any of these is right: both stop; they swap their velocities; they "
-                              "swap the parts along the line of centres; the impulse of masses "
-                              "and e")),
-            allCircleLawNames().mid(1)), // no law is none that answers a hit
-        QJsonArray{toName(CircleLaw::Impulse)});
-}
-
-ParameterInfo tolerance(double standard, const char *unit)
-{
-    return usually(inUnit(make("tolerance", Type::Number, KindText::tr("Tolerance"),
-                               KindText::tr("How far off is still right")),
-                          unit, {0.0, farthest}),
-                   standard);
-}
-
-/// A tolerance that has no unit.
-ParameterInfo share(double standard, const QString &help)
-{
-    ParameterInfo info =
-        usually(make("tolerance", Type::Number, KindText::tr("Tolerance"), help), standard);
-    return inUnit(info, "", {0.0, 1.0});
-}
-
-ParameterInfo list(const char *name, const QString &label, const char *unit)
-{
-    return inUnit(make(name, Type::Vectors, label,
-                       KindText::tr("One for each of the circles; not looked at if left out")),
-                  unit, {-farthest, farthest});
-}
-
-ParameterInfo vector(const char *name, const QString &label, const char *unit)
-{
-    return inUnit(make(name, Type::Vector, label, KindText::tr("Not looked at if left out")), unit,
-                  {-farthest, farthest});
-}
-
-ParameterInfo positive(const char *name, const QString &label, const char *unit)
-{
-    return inUnit(make(name, Type::Number, label, KindText::tr("Not looked at if left out")), unit,
-                  {1e-6, farthest});
-}
 
 KindInfo kind(const char *name, const QString &title, const QString &purpose, int circles,
               std::vector<ParameterInfo> parameters)

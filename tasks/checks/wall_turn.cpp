@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/wall_turn.h"
 
+#include "tasks/checks/figures.h"
+#include "tasks/checks/motion.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/checks/motion.h"
+#include "tasks/checks/check_library.h"
 
 namespace cradle::kinds {
 

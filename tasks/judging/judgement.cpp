@@ -3,7 +3,7 @@
 #include "tasks/judging/judgement.h"
 
 #include "tasks/checks/check_library.h"
-#include "tasks/checks/motion.h"
+#include "tasks/checks/contacts.h"
 #include "tasks/judging/breaches.h"
 #include "tasks/judging/check_plan.h"
 #include "tasks/judging/commit_message.h"

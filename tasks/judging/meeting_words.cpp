@@ -103,7 +103,7 @@ private:
                             "is whether they overlap and come nearer.")
                 .arg(brief(hit.slowness * hit.meeting.closing()),
                      brief(hit.slowness * m_own.contacts.front().meeting.closing())),
-            hit.held ? hit : whereTheyTouch(hit));
+            whereTheyTouch(hit));
     }
 
     void findOnce()

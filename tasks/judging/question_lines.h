@@ -10,7 +10,7 @@
 namespace cradle {
 
 /// The question that leads to the first of \p special, or that is among them: of those within a
-/// function such as ask for a distance, or for more than that.
+/// function such as ask for a distance, or for more than that. \pre \p special is not empty
 [[nodiscard]] int questionOf(Suspect suspect, const std::vector<int> &special,
                              const QStringList &rows, const RanLines &ran, const RowRange &within,
                              const AskedValues &asked);

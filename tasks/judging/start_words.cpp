@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/start_words.h"
 
+#include "tasks/checks/check_kinds.h"
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/motion.h"
 #include "tasks/judging/check_plan.h"
@@ -112,7 +113,7 @@ std::optional<LawDeviation> otherRestitution(const Task &task, const Submission 
         return std::nullopt;
     const double e = own.start().restitution;
     for (const CheckSpec &check : task.checks) {
-        const QJsonValue asked = check.parameters.value(QStringLiteral("restitution"));
+        const QJsonValue asked = valueOf(check, QStringLiteral("restitution"));
         if (!showsOwnScene(check) || !asked.isDouble() || asked.toDouble() == e
             || !failed(check, checks))
             continue;

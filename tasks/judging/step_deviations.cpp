@@ -16,10 +16,6 @@ namespace {
 /// Whether a failure of a check of that kind can come of that aspect.
 bool concerns(const QString &kind, Aspect aspect)
 {
-    const auto is = [&](std::initializer_list<const char *> names) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const char *name) { return kind == QLatin1String(name); });
-    };
     switch (aspect) {
     case Aspect::Start:
         return true;
@@ -27,14 +23,14 @@ bool concerns(const QString &kind, Aspect aspect)
         return kind != QLatin1String("start");
     case Aspect::Walls:
     case Aspect::Course:
-        return is({"bounces", "stays_inside", "bounce_heights", "settles", "together", "script",
-                   "ends_at", "integrates"});
+        return isOneOf(kind, {"bounces", "stays_inside", "bounce_heights", "settles", "together",
+                              "script", "ends_at", "integrates"});
     case Aspect::Contact:
     case Aspect::Response:
         break;
     }
-    return is({"collides", "rebounds", "touches", "conserves", "after_contact", "loses_energy",
-               "passes_through", "script", "ends_at"});
+    return isOneOf(kind, {"collides", "rebounds", "touches", "conserves", "after_contact",
+                          "loses_energy", "passes_through", "script", "ends_at"});
 }
 
 } // namespace

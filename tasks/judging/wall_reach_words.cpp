@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/wall_comparison.h"
 
-#include "tasks/checks/motion.h"
+#include "tasks/checks/figures.h"
 
 #include <algorithm>
 #include <cmath>

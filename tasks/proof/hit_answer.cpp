@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/proof/hit_answer.h"
 
-#include "tasks/checks/motion.h"
+#include "tasks/checks/contacts.h"
 
 #include <cmath>
 

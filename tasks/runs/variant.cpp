@@ -6,6 +6,7 @@
 #include "tasks/runs/meeting_scene.h"
 #include "tasks/runs/scene_spec.h"
 #include "tasks/runs/shot_scene.h"
+#include "tasks/runs/slow_scene.h"
 #include "tasks/text/spoken_locale.h"
 
 #include <QCoreApplication>
@@ -20,11 +21,7 @@ struct VariantText {
     Q_DECLARE_TR_FUNCTIONS(Variant)
 };
 
-constexpr double halfWidth = 4.0;   ///< of the square of pinned scenes, m
-constexpr double slowestHit = 0.1;  ///< of slow hits where nothing pulls, a quarter of it, m/s
-constexpr int slowStepsToWall = 3;  ///< before a slow hit
-constexpr Vec2 creeping{0.15, 0.3}; ///< speeds of what comes slowest to a wall, m/s
-
+constexpr double halfWidth = 4.0; ///< of the square of pinned scenes, m
 QString timestepText(double timestep)
 {
     return VariantText::tr("timestep 1/%1 s").arg(qRound(1.0 / timestep));
@@ -153,7 +150,7 @@ private:
             const auto shot = static_cast<std::size_t>(circle);
             // The first, from the very middle and fast, is one that a program could know.
             const bool creeps = doesCreep(i) && preset.gravity == Vec2{};
-            const double speed = range(creeps ? creeping : m_spec.speeds);
+            const double speed = range(creeps ? creepingSpeeds : m_spec.speeds);
             const Vec2 place = drawStart(m_random);
             preset.circles[shot].body.velocity =
                 (i == 0 ? m_spec.speeds.y : speed) * fromAngle(degrees);
@@ -196,6 +193,25 @@ private:
             preset);
     }
 
+    void addSlowHit(int i)
+    {
+        Preset preset = stage(i, needed());
+        // Drawn once, or the moments would not be spread evenly.
+        if (i == 0)
+            m_slow = drawSlowHits(m_random);
+        placeSlowHit(preset, m_spec, i, m_slow, m_random);
+        add(VariantText::tr("slow hit %1").arg(i + 1), preset);
+    }
+
+    void addCreepingHit(double side)
+    {
+        Preset preset = stage(0, needed());
+        placeCreepingHit(preset, m_spec, side, m_random);
+        add(side < 0.0 ? VariantText::tr("slowly to one side")
+                       : VariantText::tr("slowly to the other side"),
+            preset);
+    }
+
     void addDrop(int i)
     {
         Preset preset = stage(i, needed());
@@ -205,35 +221,6 @@ private:
             c.body.velocity = {range(m_spec.sideways), 0.0};
         }
         add(VariantText::tr("drop %1").arg(i + 1), preset);
-    }
-
-    /// In turn onto the wall that gravity pulls to and to the one opposite. The scenes divide a
-    /// step evenly by when in it the wall is met: a circle that is still beyond the wall after a
-    /// step of its way back shows in some of them, whatever the seed.
-    void addSlowHit(int i)
-    {
-        Preset preset = stage(i, needed());
-        const Vec2 down = preset.gravity == Vec2{} ? Vec2{0.0, -1.0} : normalized(preset.gravity);
-        const Vec2 toWall = i % 2 == 0 ? down : -down;
-        const double dt = preset.timestep;
-        const double pull = dot(preset.gravity, toWall) * dt;
-        // Drawn once, or the moments would not be spread evenly.
-        if (i == 0)
-            m_slow = {m_random.between(3.8, 4.2), m_random.uniform()};
-        const double speed = m_slow.x * std::max(std::abs(pull), slowestHit);
-        const int half = (m_spec.count + 1) / 2;
-        const int pair = i / 2; // one to the floor, one to the ceiling
-        const double phase = (pair + m_slow.y) / half;
-        for (const int circle : m_spec.circles) {
-            Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
-            const double room = preset.halfWidth - c.radius;
-            const double gap = (slowStepsToWall + phase) * dt * speed;
-            const double across = -2.0 + circle * 2.5 + m_random.between(-0.3, 0.3);
-            c.position = (room - gap) * toWall + across * perpendicular(toWall);
-            c.velocity = (speed - slowStepsToWall * pull) * toWall
-                         + m_random.between(-0.5, 0.5) * perpendicular(toWall);
-        }
-        add(VariantText::tr("slow hit %1").arg(i + 1), preset);
     }
 
     /// Whether scene \p i is one of two hits: of several e each has some, in turn, the largest
@@ -246,25 +233,6 @@ private:
         if (all == 1)
             return i % 8 == 4;
         return e == 1.0 ? (i / all) % 2 == 0 : (i / all + i % all) % 4 == 0;
-    }
-
-    /// Slowly to a wall beside, however fast it falls.
-    void addCreepingHit(double side)
-    {
-        Preset preset = stage(0, needed());
-        const Vec2 down = preset.gravity == Vec2{} ? Vec2{0.0, -1.0} : normalized(preset.gravity);
-        const Vec2 toWall = side * perpendicular(down);
-        for (const int circle : m_spec.circles) {
-            Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
-            const double speed = range(creeping);
-            const double gap = m_random.between(0.2, 0.5) * m_spec.duration * speed;
-            const double height = -1.0 + circle * 2.0 + m_random.between(-0.3, 0.3);
-            c.position = (preset.halfWidth - c.radius - gap) * toWall - height * down;
-            c.velocity = speed * toWall;
-        }
-        add(side < 0.0 ? VariantText::tr("slowly to one side")
-                       : VariantText::tr("slowly to the other side"),
-            preset);
     }
 
     void addEncounter(int i)
@@ -292,8 +260,7 @@ private:
     const Preset &m_submission;
     SceneSpec m_spec;
     Random m_random;
-    Vec2 m_slow{}; ///< of slow hits: the speed, in what gravity makes in a step, and the first
-                   ///< moment
+    SlowHits m_slow;
     std::vector<Variant> m_variants;
 };
 

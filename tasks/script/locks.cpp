@@ -17,98 +17,91 @@ struct LockText {
 
 constexpr int mostCircles = 10; ///< that are offered to be locked one by one
 
-const char *const worldFields[] = {"gravity",    "restitution",  "timestep",    "half_width",
-                                   "laws/walls", "laws/circles", "laws/timing", "circles"};
-const char *const circleFields[] = {"position", "velocity", "radius",
-                                    "density",  "mass",     "integrator"};
+/// A field of the world: its name in files and for people, and whether two scenes have it alike.
+struct WorldField {
+    const char *name;
+    const char *said;
+    bool (*isSame)(const Preset &, const Preset &);
+};
+constexpr WorldField worldFields[] = {
+    {"gravity", QT_TRANSLATE_NOOP("Locks", "gravity"),
+     [](auto &a, auto &b) { return a.gravity == b.gravity; }},
+    {"restitution", QT_TRANSLATE_NOOP("Locks", "restitution"),
+     [](auto &a, auto &b) { return a.restitution == b.restitution; }},
+    {"timestep", QT_TRANSLATE_NOOP("Locks", "timestep"),
+     [](auto &a, auto &b) { return a.timestep == b.timestep; }},
+    {"half_width", QT_TRANSLATE_NOOP("Locks", "half width of the square"),
+     [](auto &a, auto &b) { return a.halfWidth == b.halfWidth; }},
+    {"laws/walls", QT_TRANSLATE_NOOP("Locks", "law for walls"),
+     [](auto &a, auto &b) { return a.laws.walls == b.laws.walls; }},
+    {"laws/circles", QT_TRANSLATE_NOOP("Locks", "law for circles"),
+     [](auto &a, auto &b) { return a.laws.circles == b.laws.circles; }},
+    {"laws/timing", QT_TRANSLATE_NOOP("Locks", "timing"),
+     [](auto &a, auto &b) { return a.laws.timing == b.laws.timing; }},
+    {"circles", QT_TRANSLATE_NOOP("Locks", "number of circles"),
+     [](auto &a, auto &b) { return a.circles.size() == b.circles.size(); }},
+};
+
+/// The same of a circle, behind "circles/N/"; %1 is its name.
+struct CircleField {
+    const char *name;
+    const char *said;
+    bool (*isSame)(const PresetCircle &, const PresetCircle &);
+};
+constexpr CircleField circleFields[] = {
+    {"position", QT_TRANSLATE_NOOP("Locks", "position of %1"),
+     [](auto &a, auto &b) { return a.body.position == b.body.position; }},
+    {"velocity", QT_TRANSLATE_NOOP("Locks", "velocity of %1"),
+     [](auto &a, auto &b) { return a.body.velocity == b.body.velocity; }},
+    {"radius", QT_TRANSLATE_NOOP("Locks", "radius of %1"),
+     [](auto &a, auto &b) { return a.body.radius == b.body.radius; }},
+    {"density", QT_TRANSLATE_NOOP("Locks", "density of %1"),
+     [](auto &a, auto &b) { return a.body.density == b.body.density; }},
+    {"mass", QT_TRANSLATE_NOOP("Locks", "mass of %1"),
+     [](auto &a, auto &b) {
+         return a.body.radius == b.body.radius && a.body.density == b.body.density;
+     }},
+    {"integrator", QT_TRANSLATE_NOOP("Locks", "integrator of %1"),
+     [](auto &a, auto &b) { return a.integrator == b.integrator; }},
+};
+
+/// nullptr if no field of the \p table has that name
+template <typename Field, std::size_t size>
+const Field *named(const Field (&table)[size], const QString &name)
+{
+    const auto found = std::find_if(std::begin(table), std::end(table), [&](const Field &field) {
+        return name == QLatin1String(field.name);
+    });
+    return found == std::end(table) ? nullptr : found;
+}
 
 /// A field of one circle.
 struct LockedField {
     std::size_t circle = 0; ///< from 0
-    QString name;
+    const CircleField *field = nullptr;
 };
 
 std::optional<LockedField> circleFieldFrom(const QString &field)
 {
     static const QRegularExpression form(QStringLiteral("^circles/([1-9][0-9]{0,5})/([a-z]+)$"));
     const auto match = form.match(field);
-    if (!match.hasMatch())
+    const CircleField *known = named(circleFields, match.captured(2));
+    if (!known)
         return std::nullopt;
-    return LockedField{match.captured(1).toULong() - 1, match.captured(2)};
+    return LockedField{match.captured(1).toULong() - 1, known};
 }
 
-bool isSame(const PresetCircle &a, const PresetCircle &b, const QString &field)
-{
-    if (field == QLatin1String("position"))
-        return a.body.position == b.body.position;
-    if (field == QLatin1String("velocity"))
-        return a.body.velocity == b.body.velocity;
-    if (field == QLatin1String("radius"))
-        return a.body.radius == b.body.radius;
-    if (field == QLatin1String("density"))
-        return a.body.density == b.body.density;
-    if (field == QLatin1String("integrator"))
-        return a.integrator == b.integrator;
-    return a.body.radius == b.body.radius && a.body.density == b.body.density;
-}
-
+/// What is no field is alike.
 bool isSame(const Preset &a, const Preset &b, const QString &field)
 {
     if (const auto own = circleFieldFrom(field)) {
         const bool inA = own->circle < a.circles.size();
         const bool inB = own->circle < b.circles.size();
         return inA == inB
-               && (!inA || isSame(a.circles[own->circle], b.circles[own->circle], own->name));
+               && (!inA || own->field->isSame(a.circles[own->circle], b.circles[own->circle]));
     }
-    if (field == QLatin1String("gravity"))
-        return a.gravity == b.gravity;
-    if (field == QLatin1String("restitution"))
-        return a.restitution == b.restitution;
-    if (field == QLatin1String("timestep"))
-        return a.timestep == b.timestep;
-    if (field == QLatin1String("half_width"))
-        return a.halfWidth == b.halfWidth;
-    if (field == QLatin1String("laws/walls"))
-        return a.laws.walls == b.laws.walls;
-    if (field == QLatin1String("laws/circles"))
-        return a.laws.circles == b.laws.circles;
-    if (field == QLatin1String("laws/timing"))
-        return a.laws.timing == b.laws.timing;
-    return a.circles.size() == b.circles.size();
-}
-
-QString worldName(const QString &field)
-{
-    if (field == QLatin1String("gravity"))
-        return LockText::tr("gravity");
-    if (field == QLatin1String("restitution"))
-        return LockText::tr("restitution");
-    if (field == QLatin1String("timestep"))
-        return LockText::tr("timestep");
-    if (field == QLatin1String("half_width"))
-        return LockText::tr("half width of the square");
-    if (field == QLatin1String("laws/walls"))
-        return LockText::tr("law for walls");
-    if (field == QLatin1String("laws/circles"))
-        return LockText::tr("law for circles");
-    if (field == QLatin1String("laws/timing"))
-        return LockText::tr("timing");
-    return LockText::tr("number of circles");
-}
-
-QString circleFieldName(const QString &field)
-{
-    if (field == QLatin1String("position"))
-        return LockText::tr("position of %1");
-    if (field == QLatin1String("velocity"))
-        return LockText::tr("velocity of %1");
-    if (field == QLatin1String("radius"))
-        return LockText::tr("radius of %1");
-    if (field == QLatin1String("density"))
-        return LockText::tr("density of %1");
-    if (field == QLatin1String("integrator"))
-        return LockText::tr("integrator of %1");
-    return LockText::tr("mass of %1");
+    const WorldField *known = named(worldFields, field);
+    return !known || known->isSame(a, b);
 }
 
 } // namespace
@@ -116,12 +109,13 @@ QString circleFieldName(const QString &field)
 QStringList lockableFields(const Preset &preset)
 {
     QStringList fields;
-    for (const char *field : worldFields)
-        fields.append(QLatin1String(field));
+    for (const WorldField &field : worldFields)
+        fields.append(QLatin1String(field.name));
     const int count = std::min(static_cast<int>(preset.circles.size()), mostCircles);
     for (int circle = 1; circle <= count; ++circle) {
-        for (const char *field : circleFields)
-            fields.append(QStringLiteral("circles/%1/%2").arg(circle).arg(QLatin1String(field)));
+        for (const CircleField &field : circleFields)
+            fields.append(
+                QStringLiteral("circles/%1/%2").arg(circle).arg(QLatin1String(field.name)));
     }
     return fields;
 }
@@ -129,12 +123,14 @@ QStringList lockableFields(const Preset &preset)
 QString lockedName(const QString &field, const Preset &preset)
 {
     const auto own = circleFieldFrom(field);
-    if (!own)
-        return worldName(field);
+    if (!own) {
+        const WorldField *known = named(worldFields, field);
+        return known ? LockText::tr(known->said) : field;
+    }
     const QString name =
         own->circle < preset.circles.size() ? preset.circles[own->circle].name : QString();
-    return circleFieldName(own->name).arg(
-        name.isEmpty() ? LockText::tr("circle %1").arg(own->circle + 1) : name);
+    return LockText::tr(own->field->said)
+        .arg(name.isEmpty() ? LockText::tr("circle %1").arg(own->circle + 1) : name);
 }
 
 std::optional<QString> firstChangedLock(const Preset &original, const Preset &changed,

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/contact_faults.h"
+
+#include "tasks/checks/figures.h"
+#include "tasks/checks/motion.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace cradle::contact_faults {
+
+namespace {
+
+struct ContactText {
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+} // namespace
+
+Fault tooEarly(const ContactAnswer &answer)
+{
+    const double gap = answer.contact.nearest;
+    const motion::Contact &c = answer.contact;
+    const bool keepsA = motion::isSame(c.afterA, c.beforeA, answer.tolerance);
+    const QString said =
+        keepsA != motion::isSame(c.afterB, c.beforeB, answer.tolerance)
+            ? ContactText::tr("At step %1 circle %2 changed its velocity although it touched "
+                              "neither a wall nor the other circle: their rims were still %3 m "
+                              "apart")
+                  .arg(QString::number(c.step + 1),
+                       QString::number((keepsA ? answer.b : answer.a) + 1), motion::figure(gap))
+            : ContactText::tr("At step %1 both circles changed their velocities although they "
+                              "touched neither a wall nor each other: their rims were still %2 m "
+                              "apart")
+                  .arg(QString::number(c.step + 1), motion::figure(gap));
+    return {.message = said,
+            .expected = 0.0,
+            .observed = gap,
+            .unit = QStringLiteral("m"),
+            .step = c.step + 1};
+}
+
+Fault hitAgain(const ContactAnswer &answer)
+{
+    const motion::Contact &c = answer.contact;
+    return {.message = ContactText::tr("At step %1 the circles were already moving apart with %2 "
+                                       "m/s, and their velocities changed from %3 and %4 to %5 and "
+                                       "%6 m/s; circles that move apart should be left alone")
+                           .arg(QString::number(c.step + 1), motion::figure(-answer.approach()),
+                                motion::figureBeside(c.beforeA, c.afterA),
+                                motion::figureBeside(c.beforeB, c.afterB),
+                                motion::figureBeside(c.afterA, c.beforeA),
+                                motion::figureBeside(c.afterB, c.beforeB)),
+            .step = c.step + 1};
+}
+
+Fault wrongAnswer(const ContactAnswer &answer, CircleLaw law)
+{
+    const motion::Contact &contact = answer.contact;
+    const Vec2 n = answer.normal();
+    const auto [afterA, afterB] = answer.expected(law, n);
+    const Vec2 error = contact.afterA - afterA;
+    const bool x = std::abs(error.x) > std::abs(error.y);
+    return {.message = ContactText::tr("At step %1 circle 1 left the hit with %2 m/s and circle 2 "
+                                       "with %3 m/s; along the line of centres %4 it should be %5 "
+                                       "and %6 m/s")
+                           .arg(QString::number(contact.step + 1),
+                                motion::figureBeside(contact.afterA, afterA),
+                                motion::figureBeside(contact.afterB, afterB), motion::figure(n),
+                                motion::figureBeside(afterA, contact.afterA),
+                                motion::figureBeside(afterB, contact.afterB)),
+            .expected = x ? afterA.x : afterA.y,
+            .observed = x ? contact.afterA.x : contact.afterA.y,
+            .unit = QStringLiteral("m/s"),
+            .step = contact.step + 1};
+}
+
+Fault wrongRebound(const ContactAnswer &answer, double closing, double parting)
+{
+    const double right = answer.restitution * closing;
+    return {.message =
+                ContactText::tr("At step %1 the circles met with %2 m/s along the line "
+                                "of centres and parted with %3 m/s; e times as much, "
+                                "with e = %4, is %5 m/s")
+                    .arg(QString::number(answer.contact.step + 1), motion::figure(closing),
+                         motion::figureBeside(parting, right), motion::figure(answer.restitution),
+                         motion::figureBeside(right, parting)),
+            .expected = right,
+            .observed = parting,
+            .unit = QStringLiteral("m/s"),
+            .step = answer.contact.step + 1};
+}
+
+/// \param e  of the scene
+Fault missed(qint64 step, double e)
+{
+    const QString said =
+        e == 1.0 ? ContactText::tr("At step %1 the circles have run into each other and go on as "
+                                   "if nothing had happened; they should answer as soon as their "
+                                   "distance is r₁ + r₂")
+                       .arg(step)
+                 : ContactText::tr("At step %1, with e = %2, the circles have run into each other "
+                                   "and go on as if nothing had happened; they should answer as "
+                                   "soon as their distance is r₁ + r₂")
+                       .arg(QString::number(step), motion::figure(e));
+    return {.message = said, .step = step};
+}
+
+Fault tooFew(std::size_t observed, int wanted)
+{
+    return {.message = observed == 0
+                           ? ContactText::tr(
+                               "In this scene no velocity changed in a hit of the circles, so "
+                               "there is none to judge")
+                           : ContactText::tr("Hits that the circles answered: %1; at least %2 is "
+                                             "right")
+                                 .arg(observed)
+                                 .arg(wanted),
+            .expected = wanted,
+            .observed = static_cast<double>(observed),
+            .step = 0};
+}
+
+} // namespace cradle::contact_faults

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/checks/contact_answer.h"
+
+#include <cstddef>
+
+/// What is said of contacts of two circles that are not answered as they should be.
+namespace cradle::contact_faults {
+
+/// They changed their velocities before they touched.
+[[nodiscard]] Fault tooEarly(const ContactAnswer &answer);
+/// They were moving apart already.
+[[nodiscard]] Fault hitAgain(const ContactAnswer &answer);
+/// Their velocities are not those of \p law.
+[[nodiscard]] Fault wrongAnswer(const ContactAnswer &answer, CircleLaw law);
+/// Their relative speed along the normal, m/s, did not become e times what it was.
+[[nodiscard]] Fault wrongRebound(const ContactAnswer &answer, double closing, double parting);
+/// By \p step they have run into each other, and nothing happened. \param e  of the scene
+[[nodiscard]] Fault missed(qint64 step, double e);
+[[nodiscard]] Fault tooFew(std::size_t observed, int wanted);
+
+} // namespace cradle::contact_faults
