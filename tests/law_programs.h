@@ -250,6 +250,18 @@ struct LawBench {
     const MeasuredLaws right;
 };
 
+/// A program with those \p walls, in which circles pass through each other.
+inline LawProgram withWalls(const QString &walls)
+{
+    return {.walls = walls};
+}
+
+/// A program with right walls, in which \p hit answers the circles.
+inline LawProgram withHit(const QString &hit)
+{
+    return {.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hit};
+}
+
 } // namespace cradle::programs
 
 Q_DECLARE_METATYPE(cradle::programs::LawProgram)

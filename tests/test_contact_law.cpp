@@ -43,11 +43,6 @@ QString text(const char *utf8)
 /// At which circles of two radii answer, m.
 using Distance = std::function<double(double, double)>;
 
-LawProgram withHit(const QString &hit)
-{
-    return {.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hit};
-}
-
 } // namespace
 
 void TestContactLaw::distanceIsMeasured_data()

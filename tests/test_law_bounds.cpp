@@ -9,11 +9,11 @@ using namespace cradle::programs;
 
 /// How far a motion may be off before walls and hits are no longer measured by it, and from where
 /// on it counts as another motion. Both sides of every bound.
-class TestLawBounds : public QObject
+class TestLawBounds : public LabTest
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
+    void initTestCase() { read(shippedLab); }
     void wallsBearADriftOfAThird_data();
     void wallsBearADriftOfAThird();
     void hitsBearADriftOfATenth_data();
@@ -24,17 +24,14 @@ private slots:
     void smallestDifferenceOfALawIsSeen();
     void leaderIsFollowedExactly_data();
     void leaderIsFollowedExactly();
-
     void whoIsPutAtAnothersPlaceFollows_data();
     void whoIsPutAtAnothersPlaceFollows();
 
 private:
     [[nodiscard]] LawBench bench(const char *step) const
     {
-        return LawBench(
-            m_lab.tasks[static_cast<std::size_t>(m_lab.indexOf(QString::fromLatin1(step)))]);
+        return LawBench(task(QLatin1String(step)));
     }
-    Lab m_lab;
 };
 
 namespace {
@@ -54,13 +51,6 @@ QString drifting(double way, double drift, bool falls)
 }
 
 } // namespace
-
-void TestLawBounds::initTestCase()
-{
-    const Result<Lab> lab = readLab(QLatin1String(shippedLab));
-    QVERIFY(lab.ok());
-    m_lab = *lab;
-}
 
 void TestLawBounds::wallsBearADriftOfAThird_data()
 {

@@ -2,33 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/law_programs.h"
 
-#include "tasks/judging/response_reading.h"
-
-#include <functional>
+#include "tasks/reading/lab_list.h"
+#include "tests/text.h"
 
 using namespace cradle;
 using namespace cradle::programs;
 
-/// What is measured of the answer to a hit: direction, masses, e.
+/// What is said of the answer to a hit is what is wrong with it: direction, masses, e.
 class TestResponseLaw : public LabTest
 {
     Q_OBJECT
 private slots:
     void initTestCase() { read(shippedLab); }
-    void massesAreMeasured_data();
-    void massesAreMeasured();
-    void reboundIsMeasured_data();
-    void reboundIsMeasured();
     void faultIsNamed_data();
     void faultIsNamed();
     void stepThatStopsBothSaysSo();
     void contactAndAnswerAreNamedBoth_data();
     void contactAndAnswerAreNamedBoth();
-    void whatIsKeptOfAHitIsNamed_data();
-    void whatIsKeptOfAHitIsNamed();
     void aNumberIsToldFromRadii_data();
     void aNumberIsToldFromRadii();
-    void lateMassesAreNamedBesideTheirPower();
     void lineOfCentresThatComesOutRightIsSaid_data();
     void lineOfCentresThatComesOutRightIsSaid();
     void circleThatLeavesAsItShouldIsNotBlamed();
@@ -36,88 +28,9 @@ private slots:
 
 namespace {
 
-QString text(const char *utf8)
-{
-    return QString::fromUtf8(utf8);
-}
-
-using Law = std::function<double(double)>; ///< of e
-
-LawProgram withHit(const QString &hit)
-{
-    return {.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hit};
-}
-
 const QString e = QStringLiteral("restitution");
 
 } // namespace
-
-void TestResponseLaw::massesAreMeasured_data()
-{
-    QTest::addColumn<QString>("program");
-    QTest::addColumn<double>("radius");
-    QTest::addColumn<double>("density");
-    const auto rows = [](const char *mass, double radius, double density) {
-        for (std::size_t i = 0; i < std::size(hitWays); ++i)
-            QTest::addRow("%s, %s, %s", mass, hitWays[i].name, structures[i].name)
-                << written(withHit(hitOf(hitWays[i], {.mass = text(mass), .e = e})), structures[i])
-                << radius << density;
-    };
-    rows("c.density * c.radius ^ 3", 3.0, 1.0);
-    rows("1000 * c.density * 4 / 3 * math.pi * c.radius ^ 3", 3.0, 1.0);
-    rows("c.density * math.pi * c.radius ^ 2", 2.0, 1.0);
-    rows("c.density * c.radius", 1.0, 1.0);
-    rows("c.radius ^ 3", 3.0, 0.0);
-    rows("c.radius ^ 3 / c.density", 3.0, -1.0);
-    rows("1 / (c.density * c.radius ^ 3)", -3.0, -1.0);
-    rows("1", 0.0, 0.0);
-}
-
-void TestResponseLaw::massesAreMeasured()
-{
-    QFETCH(QString, program);
-    QFETCH(double, radius);
-    QFETCH(double, density);
-    const LawBench step(task(QStringLiteral("L42T16")));
-    const MeasuredLaws own(&program, step.ground);
-    const MassExponents p(own.pair());
-    QVERIFY(p.radius && std::abs(*p.radius - radius) < 0.005);
-    QVERIFY(p.density && std::abs(*p.density - density) < 0.005);
-    QVERIFY(!fixedMassRatio(own.pair()));
-}
-
-void TestResponseLaw::reboundIsMeasured_data()
-{
-    QTest::addColumn<QString>("program");
-    QTest::addColumn<Law>("law");
-    const auto rows = [](const char *factor, const Law &law) {
-        for (std::size_t i = 0; i < std::size(hitWays); ++i)
-            QTest::addRow("%s, %s", factor, hitWays[i].name)
-                << written(withHit(hitOf(hitWays[i], {.e = text(factor)})), structures[3 - i])
-                << law;
-    };
-    rows("restitution", [](double value) { return value; });
-    rows("restitution ^ 2", [](double value) { return value * value; });
-    rows("1 - restitution", [](double value) { return 1.0 - value; });
-    rows("0.6", [](double) { return 0.6; });
-}
-
-void TestResponseLaw::reboundIsMeasured()
-{
-    QFETCH(QString, program);
-    QFETCH(Law, law);
-    const LawBench step(task(QStringLiteral("L42T16")));
-    const MeasuredLaws own(&program, step.ground);
-    QVERIFY(own.pair().rebounds.size() >= 3);
-    for (const PairHit &hit : own.pair().rebounds) {
-        QVERIFY(hit.isMet() && hit.isAligned());
-        const PairVelocities in = hit.cameParts();
-        const PairVelocities out = hit.leftParts();
-        const double rebound = (out.along2 - out.along1) / (in.along1 - in.along2);
-        QVERIFY(std::abs(rebound - law(hit.meeting.restitution)) < 0.005);
-        QVERIFY(std::abs(out.across1 - in.across1) < 0.005);
-    }
-}
 
 void TestResponseLaw::faultIsNamed_data()
 {
@@ -247,72 +160,6 @@ void TestResponseLaw::contactAndAnswerAreNamedBoth()
     }
 }
 
-void TestResponseLaw::whatIsKeptOfAHitIsNamed_data()
-{
-    QTest::addColumn<QString>("step");
-    QTest::addColumn<HitLaw>("law");
-    QTest::addColumn<QString>("said");
-    const HitLaw normal{
-        .normal = text("(function() kept.n = kept.n or d:normalized() return kept.n end)()"),
-        .e = e};
-    const HitLaw rebound{.answer = text("kept.e = (kept.e or 1) * restitution "
-                                        "local j = (1 + kept.e) * closing / (1 / m1 + 1 / m2) "
-                                        "p.velocity = p.velocity - j / m1 * n "
-                                        "q.velocity = q.velocity + j / m2 * n")};
-    const HitLaw slow{.approach = text("closing > 0.2"), .e = e};
-    const HitLaw verySlow{.approach = text("closing > 0.04"), .e = e};
-    const HitLaw slowRebound{
-        .e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")};
-    const HitLaw late{.e = text("kept.e or 1"),
-                      .answer = HitLaw().answer + text(" kept.e = restitution")};
-    // Both get half of what they have in common, whatever they weigh.
-    const HitLaw mean{.answer = text("local u1, u2 = p.velocity:dot(n), q.velocity:dot(n) "
-                                     "local u = (u1 + u2) / 2 "
-                                     "local w1 = u - restitution * m2 / (m1 + m2) * (u1 - u2) "
-                                     "local w2 = u + restitution * m1 / (m1 + m2) * (u1 - u2) "
-                                     "p.velocity, q.velocity = "
-                                     "p.velocity + (w1 - u1) * n, q.velocity + (w2 - u2) * n")};
-    const HitLaw right{.e = e};
-    const QString line = text("A later hit is answered along the line of an earlier one");
-    for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})
-        QTest::addRow("normal, %s", step) << text(step) << normal << line;
-    for (const char *step : {"L42T16", "L42T17"})
-        QTest::addRow("e, %s", step)
-            << text(step) << rebound << text("A later hit is answered with another e");
-    for (const char *step : {"L42T12", "L42T16"})
-        QTest::addRow("slow, %s", step)
-            << text(step) << slow << text("Circles that come nearer slowly are not answered");
-    for (const char *step : {"L42T12", "L42T17"})
-        QTest::addRow("very slow, %s", step)
-            << text(step) << verySlow << text("Circles that come nearer slowly are not answered");
-    QTest::addRow("e too late") << text("L42T16") << late
-                                << text("e acts only after the first hit");
-    QTest::addRow("mean for what is common")
-        << text("L42T16") << mean
-        << text("Where the masses differ, the total momentum is not kept");
-    QTest::addRow("slow e") << text("L42T16") << slowRebound
-                            << text("Circles that meet slowly are answered in another way");
-    for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})
-        QTest::addRow("right, %s", step) << text(step) << right << QString();
-}
-
-void TestResponseLaw::whatIsKeptOfAHitIsNamed()
-{
-    QFETCH(QString, step);
-    QFETCH(HitLaw, law);
-    QFETCH(QString, said);
-    const LawBench bench(task(step));
-    for (const int structure : {0, 2, 3}) {
-        for (const HitWay &way : {hitWays[0], hitWays[1], hitWays[3]}) {
-            LawProgram pieces = withHit(hitOf(way, law));
-            pieces.start = text("kept = {}");
-            const QString program = written(pieces, structures[structure]);
-            QCOMPARE(bench.contact(program) + bench.response(program),
-                     said.isEmpty() ? QStringList() : QStringList(said));
-        }
-    }
-}
-
 void TestResponseLaw::aNumberIsToldFromRadii_data()
 {
     QTest::addColumn<QString>("reach");
@@ -341,24 +188,6 @@ void TestResponseLaw::aNumberIsToldFromRadii()
                 written(withHit(hitOf(hitWays[structure], law)), structures[structure]);
             QCOMPARE(bench.contact(program), QStringList(said));
         }
-    }
-}
-
-/// Two faults: worked out before `on_load` sets the densities, and with r².
-void TestResponseLaw::lateMassesAreNamedBesideTheirPower()
-{
-    const LawBench bench(task(text("L42T15")));
-    for (const int structure : {0, 3}) {
-        const HitLaw law{.mass = text("c.mass")};
-        LawProgram program = withHit(hitOf(hitWays[0], law));
-        program.start = text("for i = 1, #circles do local c = circles[i] "
-                             "c.mass = c.density * c.radius ^ 2 end gravity = vec(0, 0) "
-                             "circle1.position, circle1.velocity = vec(-1, 0), vec(1, 0) "
-                             "circle2.position, circle2.velocity = vec(1, 0), vec(-1, 0) "
-                             "circle1.density, circle2.density = 1, 2");
-        QCOMPARE(bench.response(written(program, structures[structure])),
-                 (QStringList{text("The mass grows with r to the power of 2, not 3"),
-                              text("The masses in your own scene are not those of its circles")}));
     }
 }
 

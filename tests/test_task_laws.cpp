@@ -20,6 +20,8 @@ private slots:
     void whatTakesLongIsNot();
     void lawsAreThoseOfTheStep();
     void twentyStepsAreKept();
+    void measuredLawsAreThoseOfTheStepAsItIs();
+    void measuringBeforehandChangesNoFinding();
 };
 
 namespace {
@@ -122,6 +124,48 @@ void TestTaskLaws::twentyStepsAreKept()
     QCOMPARE(at(0), all[0]);
     QCOMPARE(at(18), all[18]);
     QVERIFY(at(19) != all[19]);
+}
+
+void TestTaskLaws::measuredLawsAreThoseOfTheStepAsItIs()
+{
+    const Task &step = task(QStringLiteral("L42T3"));
+    QCOMPARE(lawsOf(step), lawsOf(step));
+    Task changed = step;
+    changed.solution += QLatin1Char('\n');
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+    changed = step;
+    changed.mistakes.pop_back();
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+    changed = step;
+    changed.checks.pop_back();
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+    changed = step;
+    changed.preset.gravity.y -= 1.0;
+    QVERIFY(lawsOf(changed) != lawsOf(step));
+}
+
+void TestTaskLaws::measuringBeforehandChangesNoFinding()
+{
+    const Task &step = task(QStringLiteral("L42T4"));
+    const auto told = [&](const KnownScript &mistake) {
+        return judgeTask(m_lab, step, Submission(step.preset, mistake.source), 1,
+                         {.provesLines = false})
+            ->findings;
+    };
+    std::vector<std::vector<Finding>> alone;
+    for (const KnownScript &mistake : step.mistakes) {
+        forgetLaws();
+        alone.push_back(told(mistake));
+    }
+    forgetLaws();
+    lawsOf(step)->measureAll();
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        const std::vector<Finding> prepared = told(step.mistakes[i]);
+        QCOMPARE(prepared.size(), alone[i].size());
+        QCOMPARE(prepared.front().mistake, step.mistakes[i].name);
+        QCOMPARE(prepared.front().message, alone[i].front().message);
+        QCOMPARE(prepared.front().line, alone[i].front().line);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestTaskLaws)
