@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/lab_files/lab_files.h"
+#include "model/world/result.h"
 
 #include <QObject>
 
@@ -16,7 +16,7 @@ class AuthorDocument;
 class AuthorNotices;
 struct AuthorPanes;
 
-/// Opens, saves and exports the lab that is written, and asks what there is to ask before.
+/// Opens and saves the lab that is written, and asks what there is to ask before.
 class AuthorFiles final : public QObject
 {
     Q_OBJECT
@@ -35,11 +35,9 @@ public slots:
     void openFolder();
     void openFile(); ///< NAME.cradle
     void openDropped(const QString &path);
-    bool save();              ///< \return whether all is saved
-    bool saveAs();            ///< also makes the copy of a lab that is read-only
-    void reload();            ///< takes the folder's files
-    void exportLab();         ///< as one file
-    void exportForStudents(); ///< the same without solutions and mistakes
+    bool save();   ///< \return whether all is saved
+    bool saveAs(); ///< also makes the copy of a lab that is read-only
+    void reload(); ///< takes the folder's files
 
 private:
     void openPath(const QString &path);
@@ -47,9 +45,6 @@ private:
     bool settleWithTheirs(const Error &error);
     void tellRefused();
     bool mayDropRefused();
-    bool mayExport();
-    /// Writes \p files where the author wants them. \return the path; empty: nowhere
-    QString exportTo(const LabFiles &files, const QString &title, const QString &name);
 
     AuthorDocument &m_document;
     const AuthorPanes &m_panes;

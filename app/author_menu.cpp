@@ -23,6 +23,7 @@ struct AuthorMenuText {
 void addLabMenu(AuthorWindow &window, QMenuBar &bar)
 {
     AuthorFiles *files = &window.files();
+    AuthorExports *exports = &window.exports();
     Menu *lab = addMenu(bar, AuthorMenuText::tr("&Lab"));
     addEntry(lab, AuthorMenuText::tr("&New lab…"), QKeySequence::New, files, &AuthorFiles::newLab);
     addEntry(lab, AuthorMenuText::tr("&Open a folder…"), QKeySequence::Open, files,
@@ -33,10 +34,10 @@ void addLabMenu(AuthorWindow &window, QMenuBar &bar)
     addEntry(lab, AuthorMenuText::tr("Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
              files, &AuthorFiles::saveAs);
     addEntry(lab, AuthorMenuText::tr("&Export as one file…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-             files, &AuthorFiles::exportLab);
+             exports, &AuthorExports::exportLab);
     addEntry(lab, AuthorMenuText::tr("Export for st&udents…"),
-             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), files,
-             &AuthorFiles::exportForStudents);
+             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), exports,
+             &AuthorExports::exportForStudents);
     addEntry(lab, AuthorMenuText::tr("&Properties…"), QKeySequence(Qt::ALT | Qt::Key_Return),
              &window, &AuthorWindow::editProperties);
     lab->addSeparator();

@@ -34,6 +34,7 @@ AuthorWindow::AuthorWindow(QSettings &settings)
     , m_notices(m_document, *m_panes.notice)
     , m_ways(m_document, m_panes, m_notices)
     , m_files(m_document, m_panes, m_notices, *this)
+    , m_exports(m_document, m_notices, *this)
 {
     m_document.keepDraftsIn(QFileInfo(settings.fileName()).path() + QStringLiteral("/drafts"));
     wire();

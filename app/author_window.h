@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/author_exports.h"
 #include "app/author_files.h"
 #include "app/author_notices.h"
 #include "app/author_panes.h"
@@ -32,6 +33,7 @@ public:
     [[nodiscard]] AuthorPanes &panes() { return m_panes; }
     [[nodiscard]] AuthorWays &ways() { return m_ways; }
     [[nodiscard]] AuthorFiles &files() { return m_files; }
+    [[nodiscard]] AuthorExports &exports() { return m_exports; }
     [[nodiscard]] SceneTab &sceneTab() { return *m_panes.scene; }
     [[nodiscard]] TextTab &textTab() { return *m_panes.text; }
     [[nodiscard]] ChecksTab &checksTab() { return *m_panes.checks; }
@@ -66,6 +68,7 @@ private:
     AuthorNotices m_notices;
     AuthorWays m_ways;
     AuthorFiles m_files;
+    AuthorExports m_exports;
     Menu *m_stepMenu = nullptr; ///< above the list of steps, too
 };
 

@@ -96,11 +96,11 @@ void CodeDesk::wireEditor()
 
 void CodeDesk::wireSteps()
 {
-    CodeSession *code = &m_workbench.code();
-    connect(&m_pane, &CodePane::lineStepRequested, code, &CodeSession::stepLine);
-    connect(&m_pane, &CodePane::finishStepRequested, code, &CodeSession::finishStep);
-    connect(code, &CodeSession::paused, this, &CodeDesk::showPause);
-    connect(code, &CodeSession::steppingEnded, this, [this] {
+    CodeRun *run = &m_workbench.code().run();
+    connect(&m_pane, &CodePane::lineStepRequested, run, &CodeRun::stepLine);
+    connect(&m_pane, &CodePane::finishStepRequested, run, &CodeRun::finishStep);
+    connect(run, &CodeRun::paused, this, &CodeDesk::showPause);
+    connect(run, &CodeRun::steppingEnded, this, [this] {
         m_pane.setExecuting(0);
         m_pane.hideLocals();
     });
@@ -127,14 +127,14 @@ void CodeDesk::wireSimulation()
 void CodeDesk::showState()
 {
     const CodeSession &code = m_workbench.code();
-    m_pane.setStepping(code.isActive());
+    m_pane.setStepping(code.run().isActive());
     const bool fixed = code.isOpen() && !code.isEditable();
     if (fixed != m_pane.editor().isReadOnly())
         m_pane.editor().setReadOnly(fixed);
-    if (code.fault()) {
-        m_pane.setState(code.hasGoodVersion() ? CodeState::Broken : CodeState::NeverRan);
+    if (code.run().fault()) {
+        m_pane.setState(code.run().hasGoodVersion() ? CodeState::Broken : CodeState::NeverRan);
         m_pane.hideLocals();
-        m_pane.editor().setError(code.fault()->line, code.fault()->message);
+        m_pane.editor().setError(code.run().fault()->line, code.run().fault()->message);
         return;
     }
     m_pane.setState(fixed            ? CodeState::ReadOnly
@@ -148,7 +148,7 @@ void CodeDesk::showState()
 
 void CodeDesk::showError(const ProgramError &error)
 {
-    if (m_workbench.code().fault())
+    if (m_workbench.code().run().fault())
         return;
     QString message = error.message;
     if (error.step > 0)
@@ -165,7 +165,7 @@ void CodeDesk::showError(const ProgramError &error)
 
 void CodeDesk::clearError()
 {
-    if (!m_workbench.code().fault())
+    if (!m_workbench.code().run().fault())
         m_pane.editor().clearError();
     m_pane.hideLocals();
 }

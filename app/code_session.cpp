@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/code_session.h"
 
+#include <QFileInfo>
+
 #include <chrono>
 #include <utility>
 
@@ -15,12 +17,14 @@ constexpr auto saveDelay = 200ms;  ///< after the first key that is not saved
 constexpr auto applyDelay = 400ms; ///< after the last key: a word is seldom a program
 constexpr auto keepDelay = 10min;  ///< of changed text, for a version of it
 constexpr auto lookDelay = 300ms;  ///< other programs write a file in several steps
+constexpr auto retryDelay = 2s;    ///< after what could not be saved
 
 } // namespace
 
 CodeSession::CodeSession(Simulation &simulation, QObject *parent)
     : QObject(parent)
     , m_simulation(simulation)
+    , m_run(simulation)
 {
     m_saveSoon.setSingleShot(true);
     m_saveSoon.setInterval(saveDelay);
@@ -35,48 +39,39 @@ CodeSession::CodeSession(Simulation &simulation, QObject *parent)
             [this] { keepVersion(m_text, {.reason = VersionReason::Typed}); });
     connect(&m_lookSoon, &QTimer::timeout, this, &CodeSession::lookOutside);
     connect(&m_applySoon, &QTimer::timeout, this, &CodeSession::apply);
-    // Whatever moves the run on ends the walk through its lines.
-    connect(&m_simulation, &Simulation::restarted, this, &CodeSession::endStepping);
-    connect(&m_simulation, &Simulation::frameReady, this, &CodeSession::endStepping);
 }
 
 CodeSession::~CodeSession()
 {
     save();
     keepTyped();
-    if (m_active)
-        m_simulation.setProgram(nullptr);
+    m_run.close(); // who hears of it may still ask the session
 }
 
 void CodeSession::open(const Lab &lab, int index)
 {
-    open(lab, index, m_active, [this](Program *program) {
-        if (m_active)
+    open(lab, index, m_run.isActive(), [this](Program *program) {
+        if (m_run.isActive())
             m_simulation.setProgram(program);
     });
 }
 
-void CodeSession::open(const Lab &lab, int index, bool active,
-                       const std::function<void(Program *program)> &start)
+void CodeSession::open(const Lab &lab, int index, bool active, const CodeRun::Start &start)
 {
     save();
     keepTyped();
     m_applySoon.stop();
-    m_pinned = false;
-    m_taskId = lab.tasks[static_cast<std::size_t>(index)].id;
-    m_locked = lab.tasks[static_cast<std::size_t>(index)].locked;
+    const Task &task = lab.tasks[static_cast<std::size_t>(index)];
+    m_taskId = task.id;
     const Result<QString> text = m_workspace.textOf(lab, index);
     m_foreign = text ? std::nullopt : std::optional(text.error());
     m_text = text ? *text : QString();
     m_unsaved = false;
     watch();
-    m_fault = findSyntaxError(m_text);
-    m_running = m_fault ? QString() : m_text;
-    m_active = active;
-    // The old program lives until the simulation has let go of it.
-    const auto before = std::exchange(m_script, makeScript());
-    emit opened(m_text);
-    start(program());
+    m_run.open(m_text, task.locked, active, [&](Program *program) {
+        emit opened(m_text);
+        start(program);
+    });
     emit versionsChanged();
     emit stateChanged();
 }
@@ -91,8 +86,7 @@ void CodeSession::close()
     m_text.clear();
     m_foreign.reset();
     m_unsaved = false;
-    m_fault.reset();
-    setActive(false);
+    m_run.close();
     emit opened({});
     emit versionsChanged();
     emit stateChanged();
@@ -101,22 +95,6 @@ void CodeSession::close()
 bool CodeSession::isEditable() const
 {
     return isOpen() && !m_foreign && m_workspace.mayWrite();
-}
-
-void CodeSession::setActive(bool active)
-{
-    active = active && isOpen();
-    if (active == m_active)
-        return;
-    m_active = active;
-    m_simulation.setProgram(program());
-}
-
-void CodeSession::setPinned(bool pinned)
-{
-    m_pinned = pinned;
-    if (m_script)
-        m_script->setPinned(pinned);
 }
 
 void CodeSession::setAppliesAtOnce(bool atOnce)
@@ -160,64 +138,137 @@ void CodeSession::apply()
     m_applySoon.stop();
     if (!isOpen())
         return;
-    m_fault = findSyntaxError(m_text);
-    if (!m_fault && m_text != m_script->source()) {
-        m_running = m_text;
-        run();
+    m_run.apply(m_text);
+    emit stateChanged();
+}
+
+void CodeSession::setWorkspace(Workspace workspace)
+{
+    m_workspace = std::move(workspace);
+}
+
+void CodeSession::save()
+{
+    m_saveSoon.stop();
+    if (m_unsaved) {
+        takeOutside();
+        m_unsaved = false;
+        finishSaving(m_workspace.save(m_taskId, m_text));
+    } else if (m_workspace.hasUnsaved()) {
+        finishSaving(m_workspace.saveUnsaved());
+    }
+}
+
+/// What could not be saved is kept by the workspace, and tried again, unless another window has it.
+void CodeSession::finishSaving(const std::optional<Error> &error)
+{
+    if (error) {
+        if (m_workspace.mayWrite())
+            m_saveSoon.start(retryDelay);
+        if (!std::exchange(m_failing, true) || !m_workspace.mayWrite())
+            emit failed(*error);
+    } else {
+        if (std::exchange(m_failing, false))
+            emit savedAgain();
+        watch();
     }
     emit stateChanged();
 }
 
-std::unique_ptr<StudentScript> CodeSession::makeScript() const
+/// Watches the files of the open step; a file that is replaced must be watched anew.
+void CodeSession::watch()
 {
-    return std::make_unique<StudentScript>(
-        m_running, StudentScript::Options{.pinned = m_pinned, .timed = true, .locked = m_locked});
-}
-
-/// The old program lives until the simulation has let go of it.
-void CodeSession::run()
-{
-    auto script = makeScript();
-    if (m_active)
-        m_simulation.setProgram(script.get());
-    m_script = std::move(script);
-}
-
-void CodeSession::stepLine()
-{
-    if (!program() || !m_script->moves() || m_simulation.programError())
+    if (m_workspace.folder().isEmpty() || !m_workspace.mayWrite()) {
+        m_watcher.reset();
         return;
-    m_simulation.pause();
-    const Recording &recording = m_simulation.recording();
-    // The past is told, not run: lines are those of the step that comes next.
-    if (m_simulation.current() != recording.last())
-        m_simulation.seek(recording.last());
-    const StudentScript::Pause pause = m_stepping
-                                           ? m_script->nextLine()
-                                           : m_script->beginLines(recording.world(recording.last()),
-                                                                  m_simulation.preset().timestep);
-    m_stepping = pause.line > 0 && !pause.error;
-    if (m_stepping)
-        emit paused(pause);
-    else
-        finishStep();
+    }
+    if (!m_watcher) {
+        m_watcher = std::make_unique<QFileSystemWatcher>();
+        const auto lookSoon = [this] { m_lookSoon.start(); };
+        connect(m_watcher.get(), &QFileSystemWatcher::fileChanged, this, lookSoon);
+        connect(m_watcher.get(), &QFileSystemWatcher::directoryChanged, this, lookSoon);
+    }
+    QStringList paths{m_workspace.folder(), m_workspace.folder() + QStringLiteral("/steps"),
+                      m_workspace.labPath(), m_workspace.pathOf(m_taskId)};
+    paths.removeIf([this](const QString &path) {
+        return !QFile::exists(path) || m_watcher->files().contains(path)
+               || m_watcher->directories().contains(path);
+    });
+    if (!paths.isEmpty())
+        m_watcher->addPaths(paths);
 }
 
-void CodeSession::finishStep()
+void CodeSession::lookOutside()
 {
-    if (!program())
+    if (!isEditable())
         return;
-    m_stepping = false;
-    emit steppingEnded();
-    m_simulation.stepForward();
+    watch();
+    if (takeOutside())
+        save();
 }
 
-void CodeSession::endStepping()
+/// Keeps what another program has made of the files. Where nothing was typed meanwhile the newest
+/// becomes the program. \return whether there was anything
+bool CodeSession::takeOutside()
 {
-    if (!std::exchange(m_stepping, false))
+    const std::vector<OutsideEdit> edits = m_workspace.outsideEdits(m_taskId);
+    if (edits.empty())
+        return false;
+    const bool taken = !m_unsaved && edits.back().text.has_value();
+    if (taken)
+        keepVersion(m_text, {.reason = VersionReason::Before});
+    bool isProgram = false;
+    for (const OutsideEdit &edit : edits) {
+        isProgram = isProgram || edit.text.has_value();
+        const auto kept = m_workspace.keepOutside(m_taskId, edit);
+        if (!kept)
+            emit failed(kept.error());
+        else if (!kept->isEmpty())
+            emit setAside(QFileInfo(edit.path).fileName(), QFileInfo(*kept).fileName());
+    }
+    emit versionsChanged();
+    m_unsaved = true; // the two files are to be alike again
+    if (taken) {
+        m_text = *edits.back().text;
+        emit textReplaced(m_text);
+        emit edited();
+        apply();
+    }
+    if (isProgram)
+        emit changedOutside(taken);
+    return true;
+}
+
+void CodeSession::keepVersion(const QString &text, const VersionNote &note)
+{
+    if (!isOpen())
         return;
-    m_script->dropLines();
-    emit steppingEnded();
+    if (text == m_text)
+        m_keepSoon.stop();
+    if (const auto error = m_workspace.keep(m_taskId, text, note))
+        emit failed(*error);
+    emit versionsChanged();
+}
+
+void CodeSession::keepTyped()
+{
+    if (m_keepSoon.isActive())
+        keepVersion(m_text, {.reason = VersionReason::Typed});
+}
+
+void CodeSession::takeOver(const Lab &lab, int index)
+{
+    m_workspace.takeOver();
+    open(lab, index);
+}
+
+void CodeSession::replaceForeign(const Lab &lab, int index, bool convert)
+{
+    if (!m_foreign || !m_workspace.mayWrite())
+        return;
+    if (const auto error = m_workspace.replaceForeign(lab, index, convert))
+        emit failed(*error);
+    open(lab, index);
 }
 
 } // namespace cradle

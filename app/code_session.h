@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/run/simulation.h"
-#include "tasks/script/student_script.h"
+#include "app/code_run.h"
 #include "tasks/workspace/workspace.h"
 
 #include <QFileSystemWatcher>
 #include <QTimer>
 
 #include <chrono>
-#include <functional>
 #include <memory>
 
 namespace cradle {
 
-/// The student's program of the open step: kept on disk as it is typed, and put into the
-/// simulation at once or when asked. What does not parse never replaces what runs.
+/// The text of the student's program of the open step, kept on disk as it is typed: what is saved,
+/// what others change, what of it is a version. Its run() gets it at once or when asked.
 class CodeSession final : public QObject
 {
     Q_OBJECT
@@ -31,19 +29,14 @@ public:
     void setWorkspace(Workspace workspace);
     /// Opens the program of a step, in the scene that the simulation has.
     void open(const Lab &lab, int index);
-    /// The same, but \p start alone begins the run, once: it is handed the new program() when the
-    /// session has it, and puts it into the simulation with the scene that belongs to it.
-    /// \param active  from now on
-    void open(const Lab &lab, int index, bool active,
-              const std::function<void(Program *program)> &start);
+    /// The same, but \p start alone begins the run; see CodeRun::open().
+    void open(const Lab &lab, int index, bool active, const CodeRun::Start &start);
     /// There is no step, and so no program.
     void close();
 
+    [[nodiscard]] CodeRun &run() { return m_run; }
+    [[nodiscard]] const CodeRun &run() const { return m_run; }
     [[nodiscard]] const QString &text() const { return m_text; }
-    /// Whether some version of the open text runs, or did when it was last active.
-    [[nodiscard]] bool hasGoodVersion() const { return !m_running.isEmpty(); }
-    /// The text of the program that moves the circles; empty while the laws do.
-    [[nodiscard]] QString runningText() const { return m_active ? m_running : QString(); }
     [[nodiscard]] bool isOpen() const { return !m_taskId.isEmpty(); }
     [[nodiscard]] bool isSaved() const { return !m_unsaved && !m_workspace.hasUnsaved(); }
     /// Why the step's file is no program; nothing is shown then, and nothing may be typed.
@@ -52,14 +45,6 @@ public:
     [[nodiscard]] bool isEditable() const;
     /// Of the open step.
     [[nodiscard]] const QString &taskId() const { return m_taskId; }
-    /// What keeps the text from being read; the last good version runs on.
-    [[nodiscard]] const std::optional<ProgramError> &fault() const { return m_fault; }
-    /// The program for the simulation: null while the laws move the circles.
-    [[nodiscard]] Program *program() const { return m_active ? m_script.get() : nullptr; }
-    [[nodiscard]] bool isActive() const { return m_active; }
-    void setActive(bool active);
-    /// The scene keeps its values whatever on_load sets: it is one of a check.
-    void setPinned(bool pinned);
     [[nodiscard]] bool appliesAtOnce() const { return m_atOnce; }
     void setAppliesAtOnce(bool atOnce);
 
@@ -77,8 +62,6 @@ public slots:
     /// Makes a program of the step's file that is none, or with \p convert false begins anew.
     void replaceForeign(const cradle::Lab &lab, int index, bool convert);
     void lookOutside(); ///< whether another program has changed the files
-    void stepLine();    ///< pauses; to the next line of the update
-    void finishStep();  ///< to the end of the update
     void save();        ///< now, if there is something to save
 
 signals:
@@ -92,28 +75,20 @@ signals:
     void versionsChanged();
     void edited();
     void stateChanged(); ///< saved, fault; also after opened(), when the program is in place
-    void paused(const cradle::StudentScript::Pause &pause);
-    void steppingEnded();
     void failed(const cradle::Error &error); ///< could not be saved
     void savedAgain();                       ///< after it had failed
 
 private:
-    void run();
-    [[nodiscard]] std::unique_ptr<StudentScript> makeScript() const;
-    void endStepping();
     void watch();
     void keepTyped();
     bool takeOutside();
     void finishSaving(const std::optional<Error> &error);
 
     Simulation &m_simulation;
+    CodeRun m_run;
     Workspace m_workspace;
     QString m_taskId;
     QString m_text;
-    QStringList m_locked;                    ///< what the step fixes
-    QString m_running;                       ///< the text of what runs
-    std::unique_ptr<StudentScript> m_script; ///< what runs: the last text that could be read
-    std::optional<ProgramError> m_fault;
     std::optional<Error> m_foreign;
     QTimer m_saveSoon;
     QTimer m_keepSoon; ///< a version of what is typed
@@ -122,10 +97,7 @@ private:
     QTimer m_applySoon;
     bool m_unsaved = false;
     bool m_failing = false; ///< it could not be saved the last time
-    bool m_active = false;
-    bool m_pinned = false;
     bool m_atOnce = true;
-    bool m_stepping = false;
 };
 
 } // namespace cradle

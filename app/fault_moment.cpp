@@ -22,7 +22,7 @@ FaultMoment::FaultMoment(const LabPlace &place, PresetDocument &document, CodeSe
     connect(&document, &PresetDocument::visitingChanged, this, [this](bool visiting) {
         if (visiting)
             return;
-        m_code.setPinned(false);
+        m_code.run().setPinned(false);
         forgetGhost();
     });
     connect(&m_reference, &ReferenceRun::finished, this, &FaultMoment::setGhost);
@@ -56,7 +56,7 @@ void FaultMoment::show(const CheckOutcome &outcome)
     if (*outcome.scene == m_document.own() && !outcome.pinned) {
         m_document.leave();
     } else {
-        m_code.setPinned(outcome.pinned);
+        m_code.run().setPinned(outcome.pinned);
         m_document.visit(*outcome.scene);
     }
     m_document.simulation().goTo(m_step);

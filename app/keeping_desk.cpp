@@ -88,7 +88,7 @@ void KeepingDesk::showVersions()
 bool KeepingDesk::mayReplace() const
 {
     const CodeSession &code = m_workbench.code();
-    return code.isEditable() && code.isActive();
+    return code.isEditable() && code.run().isActive();
 }
 
 void KeepingDesk::showPresent()

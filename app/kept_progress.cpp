@@ -119,7 +119,7 @@ bool KeptProgress::mayShowSolution()
     const Task *task = m_place.task();
     if (!task || task->solution.isEmpty())
         return false;
-    const Mode mode = m_code.isActive() ? Mode::Code : Mode::Explore;
+    const Mode mode = m_code.run().isActive() ? Mode::Code : Mode::Explore;
     return ofStep().passed || hintsOpened() >= taskFor(mode, *task).hints.size();
 }
 

@@ -53,7 +53,7 @@ void RunDesk::wireCharts()
 
 RunSource RunDesk::runSource()
 {
-    return {m_workbench.simulation().preset(), m_workbench.code().runningText()};
+    return {m_workbench.simulation().preset(), m_workbench.code().run().text()};
 }
 
 void RunDesk::pinRun()

@@ -21,8 +21,8 @@ SceneDesk::SceneDesk(Workbench &workbench, Panes &panes)
     connect(panes.inspector, &Inspector::selectionChanged, panes.scene, &SceneView::select);
     connect(document, &PresetDocument::visitingChanged, this, &SceneDesk::showVisit);
     connect(&workbench.moment(), &FaultMoment::ghostChanged, this, &SceneDesk::showGhost);
-    connect(&workbench.code(), &CodeSession::paused, this, &SceneDesk::showPause);
-    connect(&workbench.code(), &CodeSession::steppingEnded, this, &SceneDesk::showGhost);
+    connect(&workbench.code().run(), &CodeRun::paused, this, &SceneDesk::showPause);
+    connect(&workbench.code().run(), &CodeRun::steppingEnded, this, &SceneDesk::showGhost);
     wireValues();
 }
 

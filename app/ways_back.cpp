@@ -48,7 +48,7 @@ void WaysBack::setProgramAside()
 std::optional<Preset> WaysBack::passedScene() const
 {
     const Task *task = m_place.task();
-    if (!task || m_code.isActive() || !m_progress.isPassed(*task))
+    if (!task || m_code.run().isActive() || !m_progress.isPassed(*task))
         return std::nullopt;
     const std::optional<Preset> scene = m_code.workspace().passedScene(task->id);
     return scene && *scene != m_document.own() ? scene : std::nullopt;

@@ -55,7 +55,7 @@ WorkCheck::WorkCheck(const LabPlace &place, PresetDocument &document, CodeSessio
 Submission WorkCheck::submission() const
 {
     Submission work(m_document.own(),
-                    m_code.isActive() ? std::optional(m_code.text()) : std::nullopt);
+                    m_code.run().isActive() ? std::optional(m_code.text()) : std::nullopt);
     work.answers = m_progress.answers();
     return work;
 }
@@ -134,7 +134,7 @@ void WorkCheck::forgetRun()
 void WorkCheck::noteShown()
 {
     if (m_runSeen || m_document.simulation().atStart() || !m_place.task() || m_document.isVisiting()
-        || (m_code.isActive() && m_code.runningText() != m_code.text()))
+        || (m_code.run().isActive() && m_code.run().text() != m_code.text()))
         return;
     m_runSeen = true;
     if (!m_awaitsRun || m_judged != submission())

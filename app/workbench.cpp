@@ -240,7 +240,7 @@ void Workbench::setMode(Mode mode)
         return;
     m_check.leave();
     m_document.leave();
-    m_code.setActive(mode == Mode::Code);
+    m_code.run().setActive(mode == Mode::Code);
     m_moment.forgetGhost();
     emit modeChanged();
 }

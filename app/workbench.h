@@ -25,7 +25,7 @@ public:
     /// The example that is open, if one is.
     [[nodiscard]] std::optional<Example> example() const { return m_example; }
     /// How the student works; a scene without a step can only be explored.
-    [[nodiscard]] Mode mode() const { return m_code.isActive() ? Mode::Code : Mode::Explore; }
+    [[nodiscard]] Mode mode() const { return m_code.run().isActive() ? Mode::Code : Mode::Explore; }
     /// Whether nothing had ever been done in this lab when it was opened.
     [[nodiscard]] bool isFirstStart() const { return m_firstStart; }
 

@@ -86,7 +86,7 @@ void TestOpenedSteps::openedStepStartsOneRun()
     // That run is of the program that the step has, and goes on.
     simulation.goTo(10);
     QCOMPARE(simulation.recording().last(), qint64{10});
-    QCOMPARE(m_bench->code().runningText(), programs ? m_bench->task()->solution : QString());
+    QCOMPARE(m_bench->code().run().text(), programs ? m_bench->task()->solution : QString());
     QCOMPARE(restarted.size(), 1);
 }
 

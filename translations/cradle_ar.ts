@@ -7911,6 +7911,52 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     </message>
 </context>
 <context>
+    <name>cradle::AuthorExports</name>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>مختبرات (*.cradle);;كل الملفات (*)</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read</source>
+        <translation>تتعذر قراءته كله</translation>
+    </message>
+    <message>
+        <source>Students will not find what cannot be read:</source>
+        <translation>لن يجد الطلاب ما تتعذر قراءته:</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>تصدير على أي حال</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>تصدير المختبر للطلاب</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>صُدّر دون ترك أي ملف: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون ملف واحد يخصّك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون ملفين يخصّانك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون %n ملفات تخصّك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون %n ملفًا يخصّك: ⁨%1⁩</numerusform>
+            <numerusform>صُدّر دون %n ملف يخصّك: ⁨%1⁩</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>في ⁨%1⁩ يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
+    </message>
+    <message>
+        <source>Export the lab as one file</source>
+        <translation>تصدير المختبر ملفًا واحدًا</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>صُدِّر: ⁨%1⁩</translation>
+    </message>
+</context>
+<context>
     <name>cradle::AuthorFiles</name>
     <message>
         <source>New lab</source>
@@ -7959,45 +8005,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Folder:</source>
         <translation>المجلد:</translation>
-    </message>
-    <message>
-        <source>Not all of it can be read</source>
-        <translation>تتعذر قراءته كله</translation>
-    </message>
-    <message>
-        <source>Students will not find what cannot be read:</source>
-        <translation>لن يجد الطلاب ما تتعذر قراءته:</translation>
-    </message>
-    <message>
-        <source>Export anyway</source>
-        <translation>تصدير على أي حال</translation>
-    </message>
-    <message>
-        <source>Export the lab for students</source>
-        <translation>تصدير المختبر للطلاب</translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported without %n file(s) that are yours: %1</source>
-        <translation>
-            <numerusform>صُدّر دون ترك أي ملف: ⁨%1⁩</numerusform>
-            <numerusform>صُدّر دون ملف واحد يخصّك: ⁨%1⁩</numerusform>
-            <numerusform>صُدّر دون ملفين يخصّانك: ⁨%1⁩</numerusform>
-            <numerusform>صُدّر دون %n ملفات تخصّك: ⁨%1⁩</numerusform>
-            <numerusform>صُدّر دون %n ملفًا يخصّك: ⁨%1⁩</numerusform>
-            <numerusform>صُدّر دون %n ملف يخصّك: ⁨%1⁩</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>في ⁨%1⁩ يقرأ الطلاب ما رأته الفحوص لا أيّ قانون هو الخطأ.</translation>
-    </message>
-    <message>
-        <source>Export the lab as one file</source>
-        <translation>تصدير المختبر ملفًا واحدًا</translation>
-    </message>
-    <message>
-        <source>Exported: %1</source>
-        <translation>صُدِّر: ⁨%1⁩</translation>
     </message>
     <message>
         <source>Drop what was typed?</source>

@@ -7867,6 +7867,48 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     </message>
 </context>
 <context>
+    <name>cradle::AuthorExports</name>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>Labs (*.cradle);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read</source>
+        <translation>Nicht alles lässt sich lesen</translation>
+    </message>
+    <message>
+        <source>Students will not find what cannot be read:</source>
+        <translation>Was sich nicht lesen lässt, finden Studierende nicht vor:</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Trotzdem exportieren</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>Lab für Studierende exportieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Ohne %n Datei exportiert, die nur für dich ist: %1</numerusform>
+            <numerusform>Ohne %n Dateien exportiert, die nur für dich sind: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist.</translation>
+    </message>
+    <message>
+        <source>Export the lab as one file</source>
+        <translation>Lab als eine Datei exportieren</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+</context>
+<context>
     <name>cradle::AuthorFiles</name>
     <message>
         <source>New lab</source>
@@ -7915,41 +7957,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>Folder:</source>
         <translation>Ordner:</translation>
-    </message>
-    <message>
-        <source>Not all of it can be read</source>
-        <translation>Nicht alles lässt sich lesen</translation>
-    </message>
-    <message>
-        <source>Students will not find what cannot be read:</source>
-        <translation>Was sich nicht lesen lässt, finden Studierende nicht vor:</translation>
-    </message>
-    <message>
-        <source>Export anyway</source>
-        <translation>Trotzdem exportieren</translation>
-    </message>
-    <message>
-        <source>Export the lab for students</source>
-        <translation>Lab für Studierende exportieren</translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported without %n file(s) that are yours: %1</source>
-        <translation>
-            <numerusform>Ohne %n Datei exportiert, die nur für dich ist: %1</numerusform>
-            <numerusform>Ohne %n Dateien exportiert, die nur für dich sind: %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>In %1 erfahren Studierende, was Prüfungen sahen, und nicht, welches Gesetz falsch ist.</translation>
-    </message>
-    <message>
-        <source>Export the lab as one file</source>
-        <translation>Lab als eine Datei exportieren</translation>
-    </message>
-    <message>
-        <source>Exported: %1</source>
-        <translation>Exportiert: %1</translation>
     </message>
     <message>
         <source>Drop what was typed?</source>

@@ -97,7 +97,7 @@
     </message>
 </context>
 <context>
-    <name>cradle::AuthorFiles</name>
+    <name>cradle::AuthorExports</name>
     <message numerus="yes">
         <source>Exported without %n file(s) that are yours: %1</source>
         <translation>

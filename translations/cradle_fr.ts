@@ -7867,6 +7867,48 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
 </context>
 <context>
+    <name>cradle::AuthorExports</name>
+    <message>
+        <source>Labs (*.cradle);;All files (*)</source>
+        <translation>TP (*.cradle);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read</source>
+        <translation>Tout n&apos;est pas lisible</translation>
+    </message>
+    <message>
+        <source>Students will not find what cannot be read:</source>
+        <translation>Les étudiants ne trouveront pas ce qui est illisible&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Exporter quand même</translation>
+    </message>
+    <message>
+        <source>Export the lab for students</source>
+        <translation>Exporter le TP pour les étudiants</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported without %n file(s) that are yours: %1</source>
+        <translation>
+            <numerusform>Exporté sans %n fichier qui n&apos;est que pour vous&#xa0;: %1</numerusform>
+            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous&#xa0;: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
+        <translation>Dans %1, les étudiants lisent ce que les vérifications ont vu, et non quelle loi est fausse.</translation>
+    </message>
+    <message>
+        <source>Export the lab as one file</source>
+        <translation>Exporter le TP en un seul fichier</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>Exporté&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>cradle::AuthorFiles</name>
     <message>
         <source>New lab</source>
@@ -7915,41 +7957,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Folder:</source>
         <translation>Dossier&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Not all of it can be read</source>
-        <translation>Tout n&apos;est pas lisible</translation>
-    </message>
-    <message>
-        <source>Students will not find what cannot be read:</source>
-        <translation>Les étudiants ne trouveront pas ce qui est illisible&#xa0;:</translation>
-    </message>
-    <message>
-        <source>Export anyway</source>
-        <translation>Exporter quand même</translation>
-    </message>
-    <message>
-        <source>Export the lab for students</source>
-        <translation>Exporter le TP pour les étudiants</translation>
-    </message>
-    <message numerus="yes">
-        <source>Exported without %n file(s) that are yours: %1</source>
-        <translation>
-            <numerusform>Exporté sans %n fichier qui n&apos;est que pour vous&#xa0;: %1</numerusform>
-            <numerusform>Exporté sans %n fichiers qui ne sont que pour vous&#xa0;: %1</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>In %1 students are told what checks saw, and not which law is wrong.</source>
-        <translation>Dans %1, les étudiants lisent ce que les vérifications ont vu, et non quelle loi est fausse.</translation>
-    </message>
-    <message>
-        <source>Export the lab as one file</source>
-        <translation>Exporter le TP en un seul fichier</translation>
-    </message>
-    <message>
-        <source>Exported: %1</source>
-        <translation>Exporté&#xa0;: %1</translation>
     </message>
     <message>
         <source>Drop what was typed?</source>

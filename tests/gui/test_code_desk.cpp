@@ -88,7 +88,7 @@ void TestCodeDesk::brokenTextNeverReplacesWhatRuns()
     write(drift);
     simulation().goTo(5);
     write(drift + QStringLiteral("oops("));
-    QVERIFY(m_open->bench.code().fault());
+    QVERIFY(m_open->bench.code().run().fault());
     QCOMPARE(simulation().current(), 5); // not even started again
     QVERIFY(editor().errorLine() > 0);
     simulation().restart();

@@ -51,10 +51,10 @@ void TestHostileWindow::windowLivesOn()
     m_open->bench.code().replace(program.source);
     simulation.start();
     const bool ends = program.kind != QByteArray(noKind);
-    QTRY_VERIFY_WITH_TIMEOUT(simulation.programError() || m_open->bench.code().fault()
+    QTRY_VERIFY_WITH_TIMEOUT(simulation.programError() || m_open->bench.code().run().fault()
                                  || (!ends && simulation.recording().last() > 3),
                              10'000);
-    QVERIFY(!ends || !simulation.isRunning() || m_open->bench.code().fault());
+    QVERIFY(!ends || !simulation.isRunning() || m_open->bench.code().run().fault());
     // It answers, and a sound program runs at once.
     bool answered = false;
     QTimer::singleShot(0, &m_open->window, [&answered] { answered = true; });
