@@ -160,7 +160,7 @@ inline constexpr Mistake mistakes[] = {
              d[1].velocity = second + 2.0 / (1.0 + e) * change;
          });
      }},
-    {"margin", "apart",
+    {"margin", "from whose rim",
      [](Circles &c, double e, double h) {
          c[0].radius += 0.05;
          onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e); });
@@ -173,7 +173,7 @@ inline constexpr Mistake mistakes[] = {
          onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e); });
          c[1].radius = radius;
      }},
-    {"boxes instead of circles", "apart",
+    {"boxes instead of circles", "from whose rim",
      [](Circles &c, double e, double h) {
          const Vec2 d = between(c);
          if (std::abs(d.x) < reach(c) && std::abs(d.y) < reach(c))

@@ -71,12 +71,26 @@ QJsonObject velocities(Vec2 a, Vec2 b)
 void addCollisions()
 {
     addRow("one turns too early", pair("collides"), drift(apart(), leave({1, 0}, {0, 1}, 3)),
-           "At step 3 circle 2 changed its velocity although it touched neither a wall nor the "
-           "other circle: their rims were still 1.3 m apart",
+           "At step 3 the velocity of circle 2 changed from (0, 0) to (0, 1) m/s although it "
+           "touched neither a wall nor the other circle, from whose rim it was still 1.3 m away",
            3, 0.0, 1.3, "m");
+    addRow("one does not fall", pair("collides"),
+           drift(apart(), {{2, [](Circles &c) { c[1].velocity.y += 0.1; }}}, 1.0, {0, -1}),
+           "At step 2 the velocity of circle 2 went from (0, -0.1) to (0, -0.1) m/s although it "
+           "touched neither a wall nor the other circle, from whose rim it was still 1.4 m away; "
+           "gravity alone makes it (0, -0.2) m/s",
+           2, 0.0, 1.4, "m");
+    // The second is at its wall, and turned rightly.
+    addRow("one turns too early while a wall turns the other", pair("collides"),
+           drift({{.position = {0, 0}, .velocity = {1, 0}},
+                  {.position = {3.75, 0}, .velocity = {1, 0}}},
+                 leave({0, 1}, {-1, 0}, 1)),
+           "At step 1 the velocity of circle 1 changed from (1, 0) to (0, 1) m/s although it "
+           "touched neither a wall nor the other circle, from whose rim it was still 3.25 m away",
+           1, 0.0, 3.25, "m");
     addRow("both turn too early", pair("collides"), drift(apart(), leave({-1, 0}, {1, 0}, 3)),
-           "At step 3 both circles changed their velocities although they touched neither a wall "
-           "nor each other: their rims were still 1.3 m apart",
+           "At step 3 the velocity of circle 1 changed from (1, 0) to (-1, 0) m/s although it "
+           "touched neither a wall nor the other circle, from whose rim it was still 1.3 m away",
            3, 0.0, 1.3, "m");
     addRow("both fall otherwise", pair("collides"), drift(apart(), falling(10)),
            "At step 1 the velocity of circle 1 went from (1, 0) to (1, -0.2) m/s where gravity "
@@ -85,8 +99,8 @@ void addCollisions()
            1, 0.0, -0.2, "m/s");
     // Two steps of ten are no law of its motion.
     addRow("both fall twice", pair("collides"), drift(apart(), falling(2)),
-           "At step 1 both circles changed their velocities although they touched neither a wall "
-           "nor each other: their rims were still 1.5 m apart",
+           "At step 1 the velocity of circle 1 changed from (1, 0) to (1, -0.2) m/s although it "
+           "touched neither a wall nor the other circle, from whose rim it was still 1.5 m away",
            1, 0.0, 1.5, "m");
     addRow("both fall while they part", pair("collides"),
            drift({{.position = {-0.15, 0}, .velocity = {-1, 0}},

@@ -222,8 +222,8 @@ void addWalls()
     driven.push_back({4, [](Circles &c) { c[1].velocity.x = -1; }});
     addRow("driven in every step", bounces,
            drift(beside({.position = {3.5, 0}, .velocity = {1, 1}}), driven),
-           "At step 3 the velocity of circle 2 went from (1, 1.4) to (1, 1.6) m/s where gravity "
-           "alone makes it (1, 1.4) m/s. It changes in the same way at step 1, where it touches "
+           "At step 3 the velocity of circle 2 in y went from 1.4 to 1.6 m/s where gravity "
+           "alone makes it 1.4 m/s. It changes in the same way at step 1, where it touches "
            "nothing: look at its motion first. Hits are judged when that is right",
            3, 1.4, 1.6, "m/s");
     addRow("braked along the wall under gravity", bounces,

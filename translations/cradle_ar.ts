@@ -941,10 +941,6 @@
         <translation>رونغه-كوتا 4</translation>
     </message>
     <message>
-        <source>circle %1</source>
-        <translation>الدائرة %1</translation>
-    </message>
-    <message>
         <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
         <translation>⁨%1⁩: توقف الفحص نفسه، فهو لا يقول شيئًا عن عملك: ⁨%2⁩</translation>
     </message>
@@ -1033,10 +1029,6 @@
         <translation>. كانت قريبة من جدار مدة ⁦%1 s⁩ ومن دائرة أخرى مدة ⁦%2 s⁩: انظر ماذا تفعل هناك</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
-        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرة ⁨%2⁩ سرعتها مع أنها لم تلمس جدارًا ولا الدائرة الأخرى: كانت حافتاهما لا تزالان على بعد ⁦%3 m⁩</translation>
-    </message>
-    <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>التصادمات التي استجابت لها الدائرتان: ⁨%1⁩؛ الصواب ⁨%2⁩ على الأقل</translation>
     </message>
@@ -1065,10 +1057,6 @@
         <translation>في الخطوة ⁨%1⁩ لا تزال الدائرة ⁨%2⁩ تتحرك داخل ⁨%3⁩ بسرعة ⁦%4 m/s⁩، منذ الخطوة ⁨%5⁩؛ ومع ⁦e = %6⁩ يجب أن يستجيب الجدار فورًا</translation>
     </message>
     <message>
-        <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
-        <translation>في الخطوة ⁨%1⁩ غيّرت الدائرتان سرعتيهما مع أنهما لم تلامسا جدارًا ولم تتلامسا: كانت المسافة بين حافتيهما لا تزال ⁦%2 m⁩</translation>
-    </message>
-    <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
         <translation>في الخطوة ⁨%1⁩ كانت الدائرتان تتباعدان بالفعل بسرعة ⁦%2 m/s⁩، وتغيّرت سرعتاهما من ⁦%3⁩ و⁦%4⁩ إلى ⁦%5⁩ و⁦%6 m/s⁩؛ الدائرتان المتباعدتان يجب أن تُتركا وشأنهما</translation>
     </message>
@@ -1085,16 +1073,28 @@
         <translation>في هذا المشهد لم يغيّر أي تصادم سرعتي الدائرتين؛ ويجب أن يحدث ذلك</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
-        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩، ولا تفعل ذلك أي طريقة صحيحة هنا؛ وأقربها، ⁨%4⁩، تحركها بمقدار ⁦%5 m⁩</translation>
-    </message>
-    <message>
         <source>. In this step %1 does so</source>
         <translation>. في هذه الخطوة تفعل ذلك طريقة ⁨%1⁩</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
         <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%5 m/s⁩. وتتغيّر بالطريقة نفسها في الخطوة ⁨%6⁩ حيث لا تلامس شيئًا: انظر إلى حركتها أولًا. يُحكم على التصادمات حين تصح الحركة</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away</source>
+        <translation>في الخطوة ⁨%1⁩ تغيّرت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أنها لم تلامس جدارًا ولا الدائرة الأخرى التي كانت حافتها لا تزال على بعد ⁦%5 m⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; gravity alone makes it %6 m/s</source>
+        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أنها لم تلامس جدارًا ولا الدائرة الأخرى التي كانت حافتها لا تزال على بعد ⁦%5 m⁩؛ والجاذبية وحدها تجعلها ⁦%6 m/s⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m, as by no integrator that this check allows; the nearest of them, %4, moves it by %5 m</source>
+        <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩، ولا تفعل ذلك أي طريقة يقبلها هذا الفحص؛ وأقربها، ⁨%4⁩، تحركها بمقدار ⁦%5 m⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
+        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ في ⁨%7⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%5 m/s⁩. وتتغيّر بالطريقة نفسها في الخطوة ⁨%6⁩ حيث لا تلامس شيئًا: انظر إلى حركتها أولًا. يُحكم على التصادمات حين تصح الحركة</translation>
     </message>
 </context>
 <context>

@@ -881,10 +881,6 @@
         <translation>Runge-Kutta 4</translation>
     </message>
     <message>
-        <source>circle %1</source>
-        <translation>Kreis %1</translation>
-    </message>
-    <message>
         <source>After %1 s circle %2 still comes %3 m above the floor with e = %4; at most %5 m is right for its integrator</source>
         <translation>Nach %1 s kommt Kreis %2 mit e = %4 noch %3 m über den Boden; richtig sind für seinen Integrator höchstens %5 m</translation>
     </message>
@@ -1021,10 +1017,6 @@
         <translation>In Schritt %1 war die Geschwindigkeit von Kreis %2 zu %3 hin vor dem Schritt %4 m/s und danach %5 m/s; mit e = %6 und der Schwerkraft sind %7 bis %8 m/s richtig</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
-        <translation>In Schritt %1 änderte Kreis %2 seine Geschwindigkeit, obwohl er weder eine Wand noch den anderen Kreis berührte: Ihre Ränder waren noch %3 m voneinander entfernt</translation>
-    </message>
-    <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>Stöße, die die Kreise beantwortet haben: %1; richtig sind mindestens %2</translation>
     </message>
@@ -1057,10 +1049,6 @@
         <translation>In Schritt %1 bewegt sich Kreis %2 seit Schritt %5 immer noch mit %4 m/s zu %3 hin; mit e = %6 soll die Wand sofort antworten</translation>
     </message>
     <message>
-        <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
-        <translation>In Schritt %1 änderten beide Kreise ihre Geschwindigkeiten, obwohl sie weder eine Wand noch einander berührten: Ihre Ränder waren noch %2 m auseinander</translation>
-    </message>
-    <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
         <translation>In Schritt %1 entfernten sich die Kreise schon mit %2 m/s voneinander, und ihre Geschwindigkeiten änderten sich von %3 und %4 auf %5 und %6 m/s; Kreise, die sich entfernen, sollen in Ruhe gelassen werden</translation>
     </message>
@@ -1077,16 +1065,28 @@
         <translation>In dieser Szene änderte kein Stoß die Geschwindigkeiten der Kreise; einer soll das tun</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
-        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m, wie bei keinem der hier richtigen Verfahren; beim nächstliegenden, %4, sind es %5 m</translation>
-    </message>
-    <message>
         <source>. In this step %1 does so</source>
         <translation>. In diesem Schritt macht es das Verfahren %1 so</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: Sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn die stimmt</translation>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: Sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn sie stimmt</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away</source>
+        <translation>In Schritt %1 änderte sich die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl er weder eine Wand noch den anderen Kreis berührte, von dessen Rand er noch %5 m entfernt war</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; gravity alone makes it %6 m/s</source>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl er weder eine Wand noch den anderen Kreis berührte, von dessen Rand er noch %5 m entfernt war; die Schwerkraft allein macht %6 m/s daraus</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m, as by no integrator that this check allows; the nearest of them, %4, moves it by %5 m</source>
+        <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m, wie nach keinem der Verfahren, die diese Prüfung zulässt; nach dem nächsten davon, %4, sind es %5 m</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 in %7 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: Sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn sie stimmt</translation>
     </message>
 </context>
 <context>

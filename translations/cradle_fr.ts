@@ -933,10 +933,6 @@
         <translation>Runge-Kutta 4</translation>
     </message>
     <message>
-        <source>circle %1</source>
-        <translation>le cercle %1</translation>
-    </message>
-    <message>
         <source>%1: the check itself stopped, so it says nothing of your work: %2</source>
         <translation>%1&#xa0;: la vérification elle-même s&apos;est arrêtée, elle ne dit donc rien de votre travail&#xa0;: %2</translation>
     </message>
@@ -1025,10 +1021,6 @@
         <translation>. Il est resté près d&apos;une paroi pendant %1 s, et près d&apos;un autre cercle pendant %2 s&#xa0;: regardez ce qu&apos;il y fait</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 changed its velocity although it touched neither a wall nor the other circle: their rims were still %3 m apart</source>
-        <translation>Au pas %1, le cercle %2 a changé de vitesse sans toucher ni une paroi ni l&apos;autre cercle&#xa0;: leurs bords étaient encore à %3 m l&apos;un de l&apos;autre</translation>
-    </message>
-    <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>Chocs auxquels les cercles ont réagi&#xa0;: %1&#xa0;; il en faut au moins %2</translation>
     </message>
@@ -1057,10 +1049,6 @@
         <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5&#xa0;; avec e = %6, la paroi doit réagir aussitôt</translation>
     </message>
     <message>
-        <source>At step %1 both circles changed their velocities although they touched neither a wall nor each other: their rims were still %2 m apart</source>
-        <translation>Au pas %1, les deux cercles ont changé de vitesse alors qu&apos;ils ne touchaient ni une paroi ni l&apos;autre cercle&#xa0;: leurs bords étaient encore à %2 m l&apos;un de l&apos;autre</translation>
-    </message>
-    <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
         <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s, et leurs vitesses sont passées de %3 et %4 à %5 et %6 m/s&#xa0;; il ne faut plus toucher à des cercles qui s&apos;éloignent</translation>
     </message>
@@ -1077,16 +1065,28 @@
         <translation>Dans cette scène, aucun choc n&apos;a changé les vitesses des cercles&#xa0;; il doit y en avoir un</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 moved by %3 m, as by no integrator that is right here; the nearest of them, %4, moves it by %5 m</source>
-        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m, ce que ne fait aucun des intégrateurs admis ici&#xa0;; le plus proche, %4, le déplace de %5 m</translation>
-    </message>
-    <message>
         <source>. In this step %1 does so</source>
         <translation>. À ce pas, c&apos;est ce que fait %1</translation>
     </message>
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
         <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors que la seule pesanteur en fait %5 m/s. Elle change de même au pas %6, où il ne touche rien&#xa0;: regardez d&apos;abord son mouvement. Les chocs seront jugés quand celui-ci sera juste</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors qu&apos;il ne touchait ni une paroi ni l&apos;autre cercle, dont le bord était encore à %5 m</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; gravity alone makes it %6 m/s</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors qu&apos;il ne touchait ni une paroi ni l&apos;autre cercle, dont le bord était encore à %5 m&#xa0;; la seule pesanteur en fait %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moved by %3 m, as by no integrator that this check allows; the nearest of them, %4, moves it by %5 m</source>
+        <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m, ce que ne fait aucun des intégrateurs admis par cette vérification&#xa0;; le plus proche, %4, le déplace de %5 m</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
+        <translation>Au pas %1, la vitesse du cercle %2 en %7 est passée de %3 à %4 m/s alors que la seule pesanteur en fait %5 m/s. Elle change de même au pas %6, où il ne touche rien&#xa0;: regardez d&apos;abord son mouvement. Les chocs seront jugés quand celui-ci sera juste</translation>
     </message>
 </context>
 <context>

@@ -21,25 +21,36 @@ struct ContactText {
 
 Fault tooEarly(const ContactAnswer &answer)
 {
+    const Observation &o = answer.o;
+    const qint64 k = answer.contact.step;
+    const Vec2 gravity = answer.gravity();
+    // Beside a wall a circle may well be turned, whatever the other does.
+    const auto isOdd = [&](int i) {
+        return motion::isKicked(o, i, k, gravity, answer.tolerance)
+               && !motion::isNearWall(o, i, k, gravity);
+    };
+    const int who = isOdd(answer.a) ? answer.a : answer.b;
     const double gap = answer.contact.nearest;
-    const motion::Contact &c = answer.contact;
-    const bool keepsA = motion::isSame(c.afterA, c.beforeA, answer.tolerance);
-    const QString said =
-        keepsA != motion::isSame(c.afterB, c.beforeB, answer.tolerance)
-            ? ContactText::tr("At step %1 circle %2 changed its velocity although it touched "
-                              "neither a wall nor the other circle: their rims were still %3 m "
-                              "apart")
-                  .arg(QString::number(c.step + 1),
-                       QString::number((keepsA ? answer.b : answer.a) + 1), motion::figure(gap))
-            : ContactText::tr("At step %1 both circles changed their velocities although they "
-                              "touched neither a wall nor each other: their rims were still %2 m "
-                              "apart")
-                  .arg(QString::number(c.step + 1), motion::figure(gap));
-    return {.message = said,
+    const Vec2 before = o.circle(who, k).velocity;
+    const Vec2 after = o.circle(who, k + 1).velocity;
+    const Vec2 asked = before + o.timestep() * gravity;
+    const QString text =
+        gravity == Vec2{}
+            ? ContactText::tr("At step %1 the velocity of circle %2 changed from %3 to %4 m/s "
+                              "although it touched neither a wall nor the other circle, from whose "
+                              "rim it was still %5 m away")
+            : ContactText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s "
+                              "although it touched neither a wall nor the other circle, from whose "
+                              "rim it was still %5 m away; gravity alone makes it %6 m/s");
+    const QString said = text.arg(QString::number(k + 1), QString::number(who + 1),
+                                  motion::figureBeside(before, after),
+                                  motion::figureBeside(after, asked), motion::figure(gap));
+    return {.message = gravity == Vec2{} ? said : said.arg(motion::figureBeside(asked, after)),
             .expected = 0.0,
             .observed = gap,
             .unit = QStringLiteral("m"),
-            .step = c.step + 1};
+            .step = k + 1,
+            .circle = who};
 }
 
 Fault hitAgain(const ContactAnswer &answer)

@@ -69,7 +69,7 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity,
         (wanted.size() == 1
              ? IntegratorText::tr("At step %1 circle %2 moved by %3 m; by %4 it moves by %5 m")
              : IntegratorText::tr("At step %1 circle %2 moved by %3 m, as by no integrator that "
-                                  "is right here; the nearest of them, %4, moves it by %5 m"))
+                                  "this check allows; the nearest of them, %4, moves it by %5 m"))
             .arg(QString::number(k + 1), QString::number(i + 1),
                  motion::figureBeside(observed, right), motion::integratorName(nearest),
                  motion::figureBeside(right, observed));

@@ -99,15 +99,25 @@ std::optional<Fault> steadyFault(const Observation &o, int i, qint64 k, Vec2 gra
     const Vec2 before = o.circle(i, k).velocity;
     const Vec2 after = o.circle(i, k + 1).velocity;
     const Vec2 asked = before + o.timestep() * gravity;
-    const bool x = std::abs(after.x - asked.x) > std::abs(after.y - asked.y);
-    return Fault{.message =
-                     MotionText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s "
-                                    "where gravity alone makes it %5 m/s. It changes in the same "
-                                    "way at step %6, where it touches nothing: look at its motion "
-                                    "first. Hits are judged when that is right")
-                         .arg(QString::number(k + 1), QString::number(i + 1), figure(before),
-                              figureBeside(after, asked), figureBeside(asked, after),
-                              QString::number(*like + 1)),
+    const Vec2 error = after - asked;
+    const bool x = axis ? axis->x != 0.0 : std::abs(error.x) > std::abs(error.y);
+    const auto part = [&](Vec2 v, Vec2 other) {
+        const Vec2 along = x ? Vec2{1, 0} : Vec2{0, 1};
+        return axis ? figureBeside(dot(v, along), dot(other, along)) : figureBeside(v, other);
+    };
+    const QString text =
+        axis ? MotionText::tr("At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s "
+                              "where gravity alone makes it %5 m/s. It changes in the same way at "
+                              "step %6, where it touches nothing: look at its motion first. Hits "
+                              "are judged when that is right")
+             : MotionText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s where "
+                              "gravity alone makes it %5 m/s. It changes in the same way at step "
+                              "%6, where it touches nothing: look at its motion first. Hits are "
+                              "judged when that is right");
+    const QString said =
+        text.arg(QString::number(k + 1), QString::number(i + 1), part(before, after),
+                 part(after, asked), part(asked, after), QString::number(*like + 1));
+    return Fault{.message = axis ? said.arg(x ? QStringLiteral("x") : QStringLiteral("y")) : said,
                  .expected = x ? asked.x : asked.y,
                  .observed = x ? after.x : after.y,
                  .unit = QStringLiteral("m/s"),
