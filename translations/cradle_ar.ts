@@ -1916,10 +1916,6 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>لا يُحسب في اختبار التلامس إلا نصف ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
-        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
-        <translation>لا يُحسب في اختبار التلامس إلا نصف قطر واحد، أو نصف ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
-    </message>
-    <message>
         <source>The circles answer only when their centres have met</source>
         <translation>لا تستجيب الدائرتان إلا حين يلتقي مركزاهما</translation>
     </message>
@@ -1946,10 +1942,6 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     <message>
         <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
         <translation>تستجيبان والمسافة بينهما ⁦%2 m⁩: ومربعها هو ⁦r₁&#xa0;+&#xa0;r₂⁩. المربع بوحدة m² والطول بوحدة m.</translation>
-    </message>
-    <message>
-        <source>Diameters are added in the test of contact, not radii</source>
-        <translation>يُجمع في اختبار التلامس القطران لا نصفا القطرين</translation>
     </message>
     <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
@@ -3547,6 +3539,138 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
         <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدت حين كانت حافتها على بعد بين ⁨%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁨%7⁩ و⁦%8 m⁩. هذه مسافة ثانية كاملة: الخطوة تنقلها ⁦v&#xa0;Δt⁩ لا v.</translation>
+    </message>
+    <message>
+        <source>Of %1 that differ only in when and where they come %2 came out right.</source>
+        <translation>من ⁨%1⁩ لا تختلف إلا في وقتها ومكانها جاء ⁨%2⁩ صحيحًا.</translation>
+    </message>
+    <message>
+        <source>Look at the conditions in front of the lines that do it, and at what your program keeps from one step to the next.</source>
+        <translation>انظر إلى الشروط التي تسبق الأسطر التي تفعل ذلك، وإلى ما يحتفظ به برنامجك من خطوة إلى أخرى.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who as it should only %1</source>
+        <translation>لا تؤثر الجاذبية في %who كما ينبغي إلا %1</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes as it should only %1</source>
+        <translation>لا تتغير سرعة %who كما ينبغي إلا %1</translation>
+    </message>
+    <message>
+        <source>At %1 s of that run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>عند ⁦%1 s⁩ من ذلك التشغيل غيّرت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، سرعتها بمقدار ⁦%4 m/s⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>the first time</source>
+        <translation>في المرة الأولى</translation>
+    </message>
+    <message>
+        <source>from the second time on</source>
+        <translation>ابتداءً من المرة الثانية</translation>
+    </message>
+    <message>
+        <source>the first time, the third, and so on</source>
+        <translation>في المرة الأولى والثالثة وهكذا</translation>
+    </message>
+    <message>
+        <source>every second time</source>
+        <translation>مرة كل مرتين</translation>
+    </message>
+    <message>
+        <source>when the last one is long past</source>
+        <translation>حين يكون ما قبله قد مضى عليه وقت طويل</translation>
+    </message>
+    <message>
+        <source>until the circles have hit each other</source>
+        <translation>إلى أن تتصادم الدائرتان</translation>
+    </message>
+    <message>
+        <source>up to a time between %1 and %2 s</source>
+        <translation>حتى وقت بين ⁨%1⁩ و⁦%2 s⁩</translation>
+    </message>
+    <message>
+        <source>from a time between %1 and %2 s on</source>
+        <translation>ابتداءً من وقت بين ⁨%1⁩ و⁦%2 s⁩</translation>
+    </message>
+    <message>
+        <source>above a height between y = %1 and %2 m</source>
+        <translation>فوق ارتفاع بين ⁦y = %1⁩ و⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>below a height between y = %1 and %2 m</source>
+        <translation>تحت ارتفاع بين ⁦y = %1⁩ و⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>to the left of a place between x = %1 and %2 m</source>
+        <translation>إلى يسار موضع بين ⁦x = %1⁩ و⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>to the right of a place between x = %1 and %2 m</source>
+        <translation>إلى يمين موضع بين ⁦x = %1⁩ و⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>up to a speed between %1 and %2 m/s</source>
+        <translation>حتى سرعة بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>from a speed between %1 and %2 m/s on</source>
+        <translation>ابتداءً من سرعة بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>at times</source>
+        <translation>أحيانًا</translation>
+    </message>
+    <message>
+        <source>Hits of the two circles are answered only %1</source>
+        <translation>لا يُستجاب لتصادم الدائرتين إلا %1</translation>
+    </message>
+    <message>
+        <source>Hits of the two circles come out right only %1</source>
+        <translation>لا يأتي تصادم الدائرتين صحيحًا إلا %1</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round only %1</source>
+        <translation>الجدران لا تردّ %who إلا %1</translation>
+    </message>
+    <message>
+        <source>Hits of %who at the walls come out right only %1</source>
+        <translation>لا يأتي تصادم %who بالجدران صحيحًا إلا %1</translation>
+    </message>
+    <message>
+        <source>Beside a wall the velocity of both circles changes at once</source>
+        <translation>بجانب جدار تتغير سرعتا الدائرتين معًا</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. Look at which lines run for both, and at what they ask.</source>
+        <translation>حين كانت الدائرة ⁨%1⁩ على بُعد ⁦%2 m⁩ (⁨%3⁩) تغيرت سرعتها، وفي الخطوة نفسها سرعة الأخرى، بعيدًا عنها وعن كل جدار. انظر أي الأسطر تعمل لكلتيهما، وعمّا تسأل.</translation>
+    </message>
+    <message>
+        <source>A hit puts %who away from the wall (%1)</source>
+        <translation>التصادم يُبعد %who عن الجدار (⁨%1⁩)</translation>
+    </message>
+    <message>
+        <source>Its centre was %1 m from the wall before that step and was put %2 m from it; its radius is %3 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>كان مركزها قبل تلك الخطوة على بُعد ⁦%1 m⁩ من الجدار ووُضع على بُعد ⁦%2 m⁩ منه؛ نصف قطرها ⁦%3 m⁩، فتبقى فجوة. ضعها حيث تكون حافتها عند الجدار، أو أعدها من حيث أتت.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s, and ran into each other.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلهما التقتا عند ⁦%2 m⁩ بسرعة ⁦%3 m/s⁩ وتداخلتا.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s and e = %4.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلهما التقتا عند ⁦%2 m⁩ بسرعة ⁦%3 m/s⁩ ومع ⁦e = %4⁩.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلهما التقتا عند ⁦%2 m⁩ بسرعة ⁦%3 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and left it with %6 m/s; %7 m/s is right.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ عند ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩ وغادرته بسرعة ⁦%6 m/s⁩؛ الصواب ⁦%7 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ عند ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩ ومضت إلى ما بعده.</translation>
     </message>
 </context>
 <context>

@@ -1892,10 +1892,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Im Test auf Berührung zählt nur die Hälfte von r₁ + r₂</translation>
     </message>
     <message>
-        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
-        <translation>Im Test auf Berührung zählt nur ein Radius oder die Hälfte von r₁ + r₂</translation>
-    </message>
-    <message>
         <source>The circles answer only when their centres have met</source>
         <translation>Die Kreise antworten erst, wenn ihre Mittelpunkte sich getroffen haben</translation>
     </message>
@@ -1922,10 +1918,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
     <message>
         <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
         <translation>Sie antworten, wenn sie %2 m auseinander sind: Das Quadrat davon ist r₁ + r₂. Ein Quadrat hat die Einheit m², eine Länge m.</translation>
-    </message>
-    <message>
-        <source>Diameters are added in the test of contact, not radii</source>
-        <translation>Im Test auf Berührung werden Durchmesser addiert, nicht Radien</translation>
     </message>
     <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
@@ -3523,6 +3515,138 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
         <translation>Kreis %1 kam mit %3 m/s an %2 an und kehrte um, als sein Rand zwischen %4 und %5 m davon entfernt war; mit %6 m/s zwischen %7 und %8 m. Das ist der Weg einer Sekunde: Ein Schritt bringt ihn um v Δt weiter, nicht um v.</translation>
+    </message>
+    <message>
+        <source>Of %1 that differ only in when and where they come %2 came out right.</source>
+        <translation>Von %1, die sich nur darin unterscheiden, wann und wo sie kommen, sind %2 richtig ausgegangen.</translation>
+    </message>
+    <message>
+        <source>Look at the conditions in front of the lines that do it, and at what your program keeps from one step to the next.</source>
+        <translation>Sieh dir die Bedingungen vor den Zeilen an, die das tun, und was dein Programm von einem Schritt zum nächsten behält.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who as it should only %1</source>
+        <translation>Die Schwerkraft wirkt auf %who nur %1 so, wie sie soll</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes as it should only %1</source>
+        <translation>Die Geschwindigkeit ändert sich nur %1 so, wie sie soll (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of that run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>Nach %1 s dieses Laufs änderte Kreis %2 bei %3 m, fern von allen anderen, seine Geschwindigkeit in einem Schritt von %5 s um %4 m/s; richtig ist %6 m/s.</translation>
+    </message>
+    <message>
+        <source>the first time</source>
+        <translation>beim ersten Mal</translation>
+    </message>
+    <message>
+        <source>from the second time on</source>
+        <translation>ab dem zweiten Mal</translation>
+    </message>
+    <message>
+        <source>the first time, the third, and so on</source>
+        <translation>beim ersten, beim dritten Mal und so weiter</translation>
+    </message>
+    <message>
+        <source>every second time</source>
+        <translation>jedes zweite Mal</translation>
+    </message>
+    <message>
+        <source>when the last one is long past</source>
+        <translation>wenn der letzte lange her ist</translation>
+    </message>
+    <message>
+        <source>until the circles have hit each other</source>
+        <translation>bis die Kreise einander gestoßen haben</translation>
+    </message>
+    <message>
+        <source>up to a time between %1 and %2 s</source>
+        <translation>bis zu einem Zeitpunkt zwischen %1 und %2 s</translation>
+    </message>
+    <message>
+        <source>from a time between %1 and %2 s on</source>
+        <translation>ab einem Zeitpunkt zwischen %1 und %2 s</translation>
+    </message>
+    <message>
+        <source>above a height between y = %1 and %2 m</source>
+        <translation>über einer Höhe zwischen y = %1 und %2 m</translation>
+    </message>
+    <message>
+        <source>below a height between y = %1 and %2 m</source>
+        <translation>unter einer Höhe zwischen y = %1 und %2 m</translation>
+    </message>
+    <message>
+        <source>to the left of a place between x = %1 and %2 m</source>
+        <translation>links von einer Stelle zwischen x = %1 und %2 m</translation>
+    </message>
+    <message>
+        <source>to the right of a place between x = %1 and %2 m</source>
+        <translation>rechts von einer Stelle zwischen x = %1 und %2 m</translation>
+    </message>
+    <message>
+        <source>up to a speed between %1 and %2 m/s</source>
+        <translation>bis zu einem Tempo zwischen %1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>from a speed between %1 and %2 m/s on</source>
+        <translation>ab einem Tempo zwischen %1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>at times</source>
+        <translation>manchmal</translation>
+    </message>
+    <message>
+        <source>Hits of the two circles are answered only %1</source>
+        <translation>Stöße der beiden Kreise werden nur %1 beantwortet</translation>
+    </message>
+    <message>
+        <source>Hits of the two circles come out right only %1</source>
+        <translation>Stöße der beiden Kreise gehen nur %1 richtig aus</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round only %1</source>
+        <translation>Die Wände kehren %who nur %1 um</translation>
+    </message>
+    <message>
+        <source>Hits of %who at the walls come out right only %1</source>
+        <translation>Stöße an den Wänden gehen nur %1 richtig aus (%who)</translation>
+    </message>
+    <message>
+        <source>Beside a wall the velocity of both circles changes at once</source>
+        <translation>Neben einer Wand ändert sich die Geschwindigkeit beider Kreise zugleich</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. Look at which lines run for both, and at what they ask.</source>
+        <translation>Als Kreis %1 an %3 ankam, mit seiner Mitte %2 m davor, änderte sich seine Geschwindigkeit, und im selben Schritt die des anderen, fern von ihm und von jeder Wand. Sieh nach, welche Zeilen für beide laufen und was sie fragen.</translation>
+    </message>
+    <message>
+        <source>A hit puts %who away from the wall (%1)</source>
+        <translation>Ein Stoß setzt %who von der Wand weg (an %1)</translation>
+    </message>
+    <message>
+        <source>Its centre was %1 m from the wall before that step and was put %2 m from it; its radius is %3 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Seine Mitte war vor diesem Schritt %1 m von der Wand entfernt und wurde %2 m vor sie gesetzt; sein Radius ist %3 m, so dass eine Lücke bleibt. Setze ihn dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s, and ran into each other.</source>
+        <translation>Nach %1 s ihres Laufs trafen sie sich bei %2 m mit %3 m/s und liefen ineinander.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s and e = %4.</source>
+        <translation>Nach %1 s ihres Laufs trafen sie sich bei %2 m mit %3 m/s und e = %4.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s.</source>
+        <translation>Nach %1 s ihres Laufs trafen sie sich bei %2 m mit %3 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and left it with %6 m/s; %7 m/s is right.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %4 m mit %5 m/s an %3 an und ging mit %6 m/s; richtig ist %7 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %4 m mit %5 m/s an %3 an und lief darüber hinaus.</translation>
     </message>
 </context>
 <context>

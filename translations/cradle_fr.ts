@@ -1892,10 +1892,6 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Seule la moitié de r₁ + r₂ compte dans le test de contact</translation>
     </message>
     <message>
-        <source>Only one radius, or half of r₁ + r₂, counts in the test of contact</source>
-        <translation>Un seul rayon, ou la moitié de r₁ + r₂, compte dans le test de contact</translation>
-    </message>
-    <message>
         <source>The circles answer only when their centres have met</source>
         <translation>Les cercles ne réagissent que lorsque leurs centres se sont rencontrés</translation>
     </message>
@@ -1922,10 +1918,6 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
     <message>
         <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
         <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre&#xa0;: c&apos;est le carré de cette distance qui vaut r₁ + r₂. Un carré est en m², une longueur en m.</translation>
-    </message>
-    <message>
-        <source>Diameters are added in the test of contact, not radii</source>
-        <translation>Dans le test de contact, on additionne des diamètres, pas des rayons</translation>
     </message>
     <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
@@ -3523,6 +3515,138 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
         <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a fait demi-tour quand son bord en était distant de %4 à %5 m&#xa0;; à %6 m/s, de %7 à %8 m. C&apos;est le chemin d&apos;une seconde&#xa0;: un pas le fait avancer de v Δt, pas de v.</translation>
+    </message>
+    <message>
+        <source>Of %1 that differ only in when and where they come %2 came out right.</source>
+        <translation>Sur %1 qui ne diffèrent que par le moment et le lieu, %2 se sont bien passés.</translation>
+    </message>
+    <message>
+        <source>Look at the conditions in front of the lines that do it, and at what your program keeps from one step to the next.</source>
+        <translation>Regardez les conditions devant les lignes qui le font, et ce que votre programme garde d&apos;un pas à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Gravity acts on %who as it should only %1</source>
+        <translation>La pesanteur n&apos;agit comme il faut, pour %who, que %1</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes as it should only %1</source>
+        <translation>La vitesse ne change comme il faut que %1 (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of that run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>À %1 s de cette exécution, le cercle %2, à %3 m et loin de tous les autres, a changé sa vitesse de %4 m/s en un pas de %5 s&#xa0;; il faut %6 m/s.</translation>
+    </message>
+    <message>
+        <source>the first time</source>
+        <translation>la première fois</translation>
+    </message>
+    <message>
+        <source>from the second time on</source>
+        <translation>à partir de la deuxième fois</translation>
+    </message>
+    <message>
+        <source>the first time, the third, and so on</source>
+        <translation>la première fois, la troisième, et ainsi de suite</translation>
+    </message>
+    <message>
+        <source>every second time</source>
+        <translation>une fois sur deux</translation>
+    </message>
+    <message>
+        <source>when the last one is long past</source>
+        <translation>quand le dernier remonte à longtemps</translation>
+    </message>
+    <message>
+        <source>until the circles have hit each other</source>
+        <translation>jusqu&apos;à ce que les cercles se soient heurtés</translation>
+    </message>
+    <message>
+        <source>up to a time between %1 and %2 s</source>
+        <translation>jusqu&apos;à un instant entre %1 et %2 s</translation>
+    </message>
+    <message>
+        <source>from a time between %1 and %2 s on</source>
+        <translation>à partir d&apos;un instant entre %1 et %2 s</translation>
+    </message>
+    <message>
+        <source>above a height between y = %1 and %2 m</source>
+        <translation>au-dessus d&apos;une hauteur entre y = %1 et %2 m</translation>
+    </message>
+    <message>
+        <source>below a height between y = %1 and %2 m</source>
+        <translation>au-dessous d&apos;une hauteur entre y = %1 et %2 m</translation>
+    </message>
+    <message>
+        <source>to the left of a place between x = %1 and %2 m</source>
+        <translation>à gauche d&apos;un endroit entre x = %1 et %2 m</translation>
+    </message>
+    <message>
+        <source>to the right of a place between x = %1 and %2 m</source>
+        <translation>à droite d&apos;un endroit entre x = %1 et %2 m</translation>
+    </message>
+    <message>
+        <source>up to a speed between %1 and %2 m/s</source>
+        <translation>jusqu&apos;à une vitesse entre %1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>from a speed between %1 and %2 m/s on</source>
+        <translation>à partir d&apos;une vitesse entre %1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>at times</source>
+        <translation>parfois</translation>
+    </message>
+    <message>
+        <source>Hits of the two circles are answered only %1</source>
+        <translation>Les chocs des deux cercles n&apos;ont de réponse que %1</translation>
+    </message>
+    <message>
+        <source>Hits of the two circles come out right only %1</source>
+        <translation>Les chocs des deux cercles ne se passent bien que %1</translation>
+    </message>
+    <message>
+        <source>The walls turn %who round only %1</source>
+        <translation>Les parois ne renvoient %who que %1</translation>
+    </message>
+    <message>
+        <source>Hits of %who at the walls come out right only %1</source>
+        <translation>Les chocs contre les parois ne se passent bien que %1 (%who)</translation>
+    </message>
+    <message>
+        <source>Beside a wall the velocity of both circles changes at once</source>
+        <translation>Près d&apos;une paroi, la vitesse des deux cercles change en même temps</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. Look at which lines run for both, and at what they ask.</source>
+        <translation>Quand le cercle %1 était à %2 m (%3), sa vitesse a changé, et dans le même pas celle de l&apos;autre, loin de lui et de toute paroi. Regardez quelles lignes s&apos;exécutent pour les deux, et ce qu&apos;elles demandent.</translation>
+    </message>
+    <message>
+        <source>A hit puts %who away from the wall (%1)</source>
+        <translation>Un choc éloigne de la paroi %who (%1)</translation>
+    </message>
+    <message>
+        <source>Its centre was %1 m from the wall before that step and was put %2 m from it; its radius is %3 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Son centre était à %1 m de la paroi avant ce pas et a été placé à %2 m d&apos;elle&#xa0;; son rayon est de %3 m, il reste donc un vide. Placez-le là où son bord touche la paroi, ou ramenez-le d&apos;où il venait.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s, and ran into each other.</source>
+        <translation>À %1 s de son exécution, ils se sont rencontrés à %2 m, à %3 m/s, et sont entrés l&apos;un dans l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s and e = %4.</source>
+        <translation>À %1 s de son exécution, ils se sont rencontrés à %2 m, à %3 m/s et avec e = %4.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s.</source>
+        <translation>À %1 s de son exécution, ils se sont rencontrés à %2 m, à %3 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and left it with %6 m/s; %7 m/s is right.</source>
+        <translation>À %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, avec %5 m/s, et en est reparti avec %6 m/s&#xa0;; il faut %7 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it.</source>
+        <translation>À %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, avec %5 m/s, et a continué au-delà.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace cradle {
 
@@ -28,8 +29,8 @@ private:
         if (fitsAll(sum))
             return;
         const PairHit &hit = farthestOff();
-        for (const ContactTest &test : contactTests(m_ground.pair.radii)) {
-            if (!fitsAll(test.distance))
+        for (const ContactTest &test : contactTests()) {
+            if (!isTold() || !fitsAll(test.distance))
                 continue;
             QString body = test.body;
             body.replace(QLatin1String("%1"), brief(hit.meeting.sum()));
@@ -42,11 +43,27 @@ private:
         findOtherDistance(hit);
     }
 
+    /// Of all meetings, with other radii, too.
     [[nodiscard]] bool fitsAll(const std::function<double(const PairHit &)> &distance) const
     {
-        return std::all_of(m_own.contacts.begin(), m_own.contacts.end(), [&](const PairHit &hit) {
+        const auto fits = [&](const PairHit &hit) {
             return !hit.isMet() || hit.fits(distance(hit));
-        });
+        };
+        return std::all_of(m_own.contacts.begin(), m_own.contacts.end(), fits)
+               && std::all_of(m_own.otherRadii.begin(), m_own.otherRadii.end(), fits);
+    }
+
+    /// Whether circles of several radii met: one distance fits many formulas by chance.
+    [[nodiscard]] bool isTold() const
+    {
+        std::set<std::pair<double, double>> radii;
+        for (const auto *hits : {&m_own.contacts, &m_own.otherRadii}) {
+            for (const PairHit &hit : *hits) {
+                if (hit.isMet())
+                    radii.insert({hit.meeting.radius1, hit.meeting.radius2});
+            }
+        }
+        return radii.size() > 1;
     }
 
     /// Unequal circles show best whose radius counts.
@@ -80,12 +97,13 @@ private:
 
     void findOtherDistance(const PairHit &hit)
     {
-        const auto &all = m_own.contacts;
+        auto all = m_own.contacts;
         // Who answers some in time and pushes in a wrong direction asks for approach along that.
         if (isDirectionWrong() && std::any_of(all.begin(), all.end(), [](const PairHit &h) {
                 return h.isMet() && h.fits(h.meeting.sum());
             }))
             return;
+        all.insert(all.end(), m_own.otherRadii.begin(), m_own.otherRadii.end());
         double low = 0.0;
         double high = std::numeric_limits<double>::infinity();
         double late = high; // an answer may be a step late
@@ -97,7 +115,7 @@ private:
         high = low <= high ? high : late;
         const bool answersAll =
             std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
-        if (m_ground.pair.radii.isVaried() && answersAll && low <= high) {
+        if (isTold() && answersAll && low <= high) {
             add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
                 ContactText::tr("Whatever the radii are, they answer at the same distance, "
                                 "between %1 and %2 m.")

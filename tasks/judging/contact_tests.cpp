@@ -22,16 +22,10 @@ double largerPartOf(Vec2 n)
 
 } // namespace
 
-std::vector<ContactTest> contactTests(const Ground::Range &radii)
+std::vector<ContactTest> contactTests()
 {
     const QString one =
         ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.");
-    // Equal radii cannot tell these two apart.
-    const QString half =
-        radii.isVaried()
-            ? ContactText::tr("Only half of r₁ + r₂ counts in the test of contact")
-            : ContactText::tr("Only one radius, or half of r₁ + r₂, counts in the test "
-                              "of contact");
     std::vector<ContactTest> all{
         {[](const PairHit &) { return 0.0; },
          ContactText::tr("The circles answer only when their centres have met"), one},
@@ -53,13 +47,8 @@ std::vector<ContactTest> contactTests(const Ground::Range &radii)
          ContactText::tr("A squared distance is compared with a length"),
          ContactText::tr("They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a "
                          "length in m.")},
-        {[](const PairHit &h) { return 0.5 * h.meeting.sum(); }, half, one}};
-    if (!radii.isVaried()) {
-        all.push_back({[](const PairHit &h) { return 2.0 * h.meeting.sum(); },
-                       ContactText::tr("Diameters are added in the test of contact, not radii"),
-                       one});
-        return all;
-    }
+        {[](const PairHit &h) { return 0.5 * h.meeting.sum(); },
+         ContactText::tr("Only half of r₁ + r₂ counts in the test of contact"), one}};
     const auto add = [&](double (*distance)(double, double), const QString &what) {
         all.push_back({[distance](const PairHit &h) {
                            return distance(h.meeting.radius1, h.meeting.radius2);

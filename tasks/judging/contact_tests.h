@@ -21,7 +21,7 @@ struct ContactTest {
     QString body;
 };
 
-/// Those that students write, as far as such \p radii tell them apart.
-[[nodiscard]] std::vector<ContactTest> contactTests(const Ground::Range &radii);
+/// Those that students write.
+[[nodiscard]] std::vector<ContactTest> contactTests();
 
 } // namespace cradle

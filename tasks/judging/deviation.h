@@ -51,7 +51,8 @@ struct LawDeviation {
     int shown = 0;    ///< in how many of the scenes it shows; 0 where that is not counted
     QString family{}; ///< what may become of it when some of it is mended; empty: only the same
     Topic topic = Topic::Other;
-    bool isEverywhere = false; ///< of a wall's reach: no wall is known where it is right
+    bool isEverywhere = false;  ///< of a wall's reach: no wall is known where it is right
+    bool isConditional = false; ///< what is asked for comes out right at times
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

@@ -41,7 +41,7 @@ FaultLines::FaultLines(const Task &task, const Submission &submission,
 bool FaultLines::isMendedBefore(const LawDeviation &deviation,
                                 const std::vector<Finding> &before) const
 {
-    if (deviation.aspect == Aspect::Start || m_mended.empty())
+    if (deviation.aspect == Aspect::Start || deviation.isConditional || m_mended.empty())
         return false;
     const Aspect aspect = aspectOf(deviation);
     const std::vector<LawDeviation> all = m_deviations.besides(m_own, aspect);
@@ -82,7 +82,7 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
                            const std::vector<Finding> &before)
 {
     const Moment &moment = deviation.moment;
-    if (!m_proves || m_deviations.isOfChecks() || moment.circles.empty()
+    if (!m_proves || m_deviations.isOfChecks() || deviation.isConditional || moment.circles.empty()
         || before.size() >= mostProven)
         return 0;
     const Aspect aspect = aspectOf(deviation);

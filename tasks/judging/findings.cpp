@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/findings.h"
 
+#include "tasks/judging/condition_words.h"
 #include "tasks/judging/fault_lines.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/last_assignment.h"
@@ -43,8 +44,13 @@ public:
         take(Aspect::Start, m_deviations.of(m_own, Aspect::Start));
         for (const Aspect aspect :
              {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
-            if (m_deviations.isAsked(aspect) && (aspect != Aspect::Motion || !isTurnedAhead()))
-                take(aspect, m_deviations.of(m_own, aspect));
+            if (!m_deviations.isAsked(aspect) || (aspect == Aspect::Motion && isTurnedAhead())
+                || (aspect == Aspect::Walls && m_motion.isOfPlace))
+                continue;
+            ConditionedAspect said = withConditions(aspect);
+            take(aspect, said.deviations);
+            if (aspect == Aspect::Motion)
+                m_motion = std::move(said);
         }
         if (m_findings.empty() && !m_deviations.isOfChecks()) {
             if (const auto e = restitutionDeviation(m_task, m_submission, m_checks))
@@ -93,6 +99,18 @@ private:
                   });
     }
 
+    [[nodiscard]] ConditionedAspect withConditions(Aspect aspect) const
+    {
+        std::vector<LawDeviation> found = m_deviations.of(m_own, aspect);
+        // How they fly is not always the same: nor is what comes of it.
+        if (!m_motion.deviations.empty() && m_motion.deviations.front().isConditional)
+            return {std::move(found), false};
+        const CheckOutcome &failed = *m_deviations.failedOf(aspect);
+        return conditioned(aspect, std::move(found), m_own, m_right, m_ground,
+                           {.stage = {failed.scene.value_or(m_ground.own), failed.pinned},
+                            .step = std::max<qint64>(failed.step, 1)});
+    }
+
     void take(Aspect aspect, const std::vector<LawDeviation> &deviations)
     {
         if (deviations.empty() || !m_deviations.isAsked(aspect)
@@ -101,8 +119,11 @@ private:
         // What a mistake was named for before may show here, too.
         if (m_named && isLike(*m_named, m_own, aspect, m_known->ground()))
             return;
+        // Known mistakes are always made.
         const auto found =
-            knownMistake({m_task, *m_known, m_submission, m_own, aspect, deviations});
+            deviations.front().isConditional
+                ? std::nullopt
+                : knownMistake({m_task, *m_known, m_submission, m_own, aspect, deviations});
         if (found) {
             const KnownScript &mistake = m_task.mistakes[*found];
             m_named = &m_known->mistake(*found);
@@ -137,6 +158,7 @@ private:
     const MeasuredLaws &m_right = m_known->right();
     StepDeviations m_deviations{m_task, m_submission, m_checks, m_right, m_ground};
     std::optional<FaultLines> m_lines{};
+    ConditionedAspect m_motion{};          ///< what was found of it
     const MeasuredLaws *m_named = nullptr; ///< of the known mistake that was found last
     std::vector<Finding> m_findings;
 };

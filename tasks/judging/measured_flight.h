@@ -3,11 +3,26 @@
 #pragma once
 
 #include "tasks/judging/flight_reading.h"
+#include "tasks/judging/occasions.h"
 
 #include <algorithm>
 #include <memory>
 
 namespace cradle {
+
+/// A step of free flight in a long run; whether it is right is not known.
+struct FlightOccasion {
+    int circle = 0;
+    Circle before{};
+    Circle after{};
+    Occasion when{};
+};
+
+/// Steps of all circles here and there, early and late, in one run of \p program under the gravity
+/// of the own scene; none where laws move the circles, or the program does not go on from where
+/// they are set.
+[[nodiscard]] std::vector<FlightOccasion> measureFlightAgain(const QString *program,
+                                                             const Ground &ground);
 
 /// All that is known of the free motion of a program.
 class MeasuredFlight

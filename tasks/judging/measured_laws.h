@@ -38,6 +38,25 @@ public:
             m_pair.emplace(m_program, m_ground, flight());
         return *m_pair;
     }
+    /// The same again in long runs.
+    [[nodiscard]] const std::vector<FlightOccasion> &flightAgain() const
+    {
+        if (!m_flightAgain)
+            m_flightAgain = measureFlightAgain(m_program, m_ground);
+        return *m_flightAgain;
+    }
+    [[nodiscard]] const std::vector<WallOccasion> &wallsAgain() const
+    {
+        if (!m_wallsAgain)
+            m_wallsAgain = measureWallsAgain(m_program, m_ground, flight());
+        return *m_wallsAgain;
+    }
+    [[nodiscard]] const std::vector<PairOccasion> &pairAgain() const
+    {
+        if (!m_pairAgain)
+            m_pairAgain = measurePairAgain(m_program, m_ground, flight());
+        return *m_pairAgain;
+    }
     /// Whether they were measured already.
     [[nodiscard]] bool knowsWalls() const { return m_walls.has_value(); }
     [[nodiscard]] bool knowsPair() const { return m_pair.has_value(); }
@@ -48,6 +67,9 @@ private:
     mutable std::optional<MeasuredFlight> m_flight{};
     mutable std::optional<MeasuredWalls> m_walls{};
     mutable std::optional<MeasuredPair> m_pair{};
+    mutable std::optional<std::vector<FlightOccasion>> m_flightAgain{};
+    mutable std::optional<std::vector<WallOccasion>> m_wallsAgain{};
+    mutable std::optional<std::vector<PairOccasion>> m_pairAgain{};
 };
 
 } // namespace cradle

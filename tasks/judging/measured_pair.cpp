@@ -3,6 +3,7 @@
 #include "tasks/judging/measured_pair.h"
 
 #include "tasks/judging/likeness.h"
+#include "tasks/judging/measured_wall.h"
 #include "tasks/judging/pair_range.h"
 
 #include <algorithm>
@@ -47,6 +48,14 @@ std::vector<PairVelocities> throws(const Ground::Pair &pair)
         return {{1.2, 0.0, 0.0, 0.0}, {1.2, 0.4, 0.0, 0.0}, {1.5, -0.5, 0.0, 0.0}};
     return {{1.2, 0.2, 0.1, -0.1}, {-0.1, 0.1, -1.2, 0.3}, {1.2, 0.5, -0.3, 0.1},
             {1.2, 0.1, 0.2, 0.4},  {1.7, 0.3, 0.5, -0.1},  {-0.5, 0.2, -1.7, 0.5}};
+}
+
+/// Of two digits, so that a reader can reckon with them.
+double within(const Ground::Range &r, double share)
+{
+    const double value = r.low + share * (r.high - r.low);
+    const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return r.isVaried() ? std::round(value / digit) * digit : value;
 }
 
 bool partsAlike(const PairVelocities &a, const PairVelocities &b)
@@ -114,6 +123,19 @@ void noteLate(std::vector<PairHit> &hits)
 
 } // namespace
 
+Meeting equalMeeting(const Ground::Pair &asked)
+{
+    const double radius = within(asked.radii, 0.3);
+    const double density = within(asked.densities, 0.25);
+    return {33.0,
+            radius,
+            radius,
+            density,
+            density,
+            middleOf(asked.restitutions),
+            throws(asked).front()};
+}
+
 MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
                            const MeasuredFlight &flight)
 {
@@ -124,12 +146,6 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     isJudged = range.isKnown();
     if (!isJudged)
         return;
-    // Of two digits, so that a reader can reckon with them.
-    const auto within = [](const Ground::Range &r, double share) {
-        const double value = r.low + share * (r.high - r.low);
-        const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-        return r.isVaried() ? std::round(value / digit) * digit : value;
-    };
     const double small = within(asked.radii, 0.3);
     const double large = within(asked.radii, 0.75);
     // Of another size than both, or a number could be taken for the larger of two.
@@ -155,6 +171,19 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
             PairVelocities v = gentle;
             v.across1 = v.across2 + way.across * (v.along1 - v.along2);
             askew.push_back(range.scan({way.degrees, small, large, light, light, e, v}));
+        }
+    }
+    const bool isOff = std::any_of(contacts.begin(), contacts.end(), [](const PairHit &hit) {
+        return hit.isMet() && !hit.fits(hit.meeting.sum());
+    });
+    if (isOff && !asked.radii.isVaried()) {
+        PairVelocities slower = gentle;
+        for (double PairVelocities::*part : {&PairVelocities::along1, &PairVelocities::across1,
+                                             &PairVelocities::along2, &PairVelocities::across2})
+            slower.*part *= 0.4;
+        for (const auto &[one, two] : {std::pair(0.14, 0.36), std::pair(0.36, 0.14)}) {
+            for (const double degrees : {33.0, 205.0})
+                otherRadii.push_back(range.scan({degrees, one, two, light, light, e, slower}));
         }
     }
     const std::vector<PairVelocities> all = throws(asked);
@@ -199,6 +228,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     const double second = asked.bothMove ? -0.4 * slowly : 0.0;
     slow = range.look(
         {33.0, small, small, light, light, some, {.along1 = second + slowly, .along2 = second}});
+    twice = range.twice({33.0, small, small, light, light, some, gentle});
     // One that is not answered is looked at from near, where words point to a step of it.
     if (!slow->answered)
         slow = range.approach(slow->meeting);

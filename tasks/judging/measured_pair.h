@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/judging/measured_flight.h"
+#include "tasks/judging/occasions.h"
 
 namespace cradle {
 
@@ -78,6 +79,20 @@ struct LaterHit {
     [[nodiscard]] bool isFirstOdd() const;
 };
 
+/// A meeting in a long run; whether it comes out right is not known.
+struct PairOccasion {
+    PairHit hit{};
+    Occasion when{};
+};
+
+/// The first of the meetings of equal circles, with an e of the middle.
+[[nodiscard]] Meeting equalMeeting(const Ground::Pair &asked);
+
+/// That meeting alone, and again and again in one long run of \p program; none where laws move the
+/// circles, or the program does not go on from where they are set.
+[[nodiscard]] std::vector<PairOccasion>
+measurePairAgain(const QString *program, const Ground &ground, const MeasuredFlight &flight);
+
 /// How a program answers the meetings of circles 1 and 2.
 struct MeasuredPair {
     /// \param flight  of the same program
@@ -89,14 +104,17 @@ struct MeasuredPair {
     [[nodiscard]] bool sequelIsLike(const MeasuredPair &other) const;
     [[nodiscard]] bool responseIsLike(const MeasuredPair &other) const;
 
-    bool isJudged = false;              ///< both free flights are known
-    std::vector<PairHit> contacts{};    ///< slowly, from all around: when are they answered?
+    bool isJudged = false;           ///< both free flights are known
+    std::vector<PairHit> contacts{}; ///< slowly, from all around: when are they answered?
+    /// Where some of these come at a wrong distance, and radii are not varied: with other radii.
+    std::vector<PairHit> otherRadii{};
     std::vector<PairHit> modes{};       ///< who comes to whom
     std::vector<PairHit> equals{};      ///< equal circles, e as it is without losses
     std::vector<PairHit> radii{};       ///< one is larger
     std::vector<PairHit> densities{};   ///< one is denser
     std::vector<PairHit> rebounds{};    ///< the other values of e
     std::vector<PairHit> partings{};    ///< they overlap and move apart: nothing should happen
+    std::optional<PairHit> twice{};     ///< they met, move apart, and are hit again
     std::optional<PairHit> own{};       ///< the first hit of the student's own scene
     int ownContacts = 0;                ///< how often they meet again when a wall sends one back
     bool ranThrough = false;            ///< and whether it ran through the other then

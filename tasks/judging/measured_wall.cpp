@@ -9,17 +9,12 @@
 
 namespace cradle {
 
-namespace {
-
-/// The one nearest to ½, where e, e² and 1 − e are told apart best but for the last two.
 double middleOf(const std::vector<double> &restitutions)
 {
     return *std::min_element(restitutions.begin(), restitutions.end(), [](double a, double b) {
         return std::abs(a - 0.6) < std::abs(b - 0.6);
     });
 }
-
-} // namespace
 
 bool WallHit::fits(double distance) const
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/judging/measured_flight.h"
+#include "tasks/judging/occasions.h"
 
 namespace cradle {
 
@@ -41,6 +42,16 @@ struct WallHit {
     [[nodiscard]] bool isLeap() const { return leap > 4.0 * std::abs(travel) + 1.5 * radius; }
 };
 
+/// The e nearest to ½, where e, e² and 1 − e are told apart best but for the last two.
+[[nodiscard]] double middleOf(const std::vector<double> &restitutions);
+
+/// A shot in a long run; whether it is right is not known.
+struct WallOccasion {
+    WallHit hit{};
+    Occasion when{};
+    bool isSlow = false; ///< see MeasuredWalls::slow
+};
+
 /// A circle that falls onto the floor from near it, and stays there a while.
 struct Drop {
     int circle = 0;
@@ -52,6 +63,11 @@ struct Drop {
     qint64 step = 0;    ///< the first such step, or the last of all
     Stage stage{};
 };
+
+/// Hits at all walls in one long run of \p program, with an e of the middle; none where laws move
+/// the circles, or the program does not go on from where they are set.
+[[nodiscard]] std::vector<WallOccasion>
+measureWallsAgain(const QString *program, const Ground &ground, const MeasuredFlight &flight);
 
 /// How a program answers walls.
 struct MeasuredWalls {

@@ -21,6 +21,7 @@ public:
         case Meetings::OfEqualCircles:
             findModes();
             findPartings();
+            findTwice();
             break;
         case Meetings::Later:
             findOnce();
@@ -147,17 +148,30 @@ private:
             return;
         const bool never = !answersAny(m_own.equals);
         // Who remembers a hit answers the first that it sees, and no other.
-        if (!never && !at->again)
-            return;
-        add(never ? ContactText::tr("The circles answer when they part, not when they meet")
-                  : ContactText::tr("Circles that already part are hit again"),
+        if (never || at->again)
+            addParting(never ? ContactText::tr("The circles answer when they part, not when they "
+                                               "meet")
+                             : ContactText::tr("Circles that already part are hit again"),
+                       *at);
+    }
+
+    /// As it comes after a hit of the program's own.
+    void findTwice()
+    {
+        if (m_found.empty() && answersRightly() && m_own.twice && !m_right.twice)
+            addParting(ContactText::tr("Circles that already part are hit again"), *m_own.twice);
+    }
+
+    void addParting(const QString &headline, const PairHit &hit)
+    {
+        add(headline,
             ContactText::tr(
                 "They overlapped and moved apart with %1 m/s; the next step turned them "
                 "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
                 "whether they come nearer.")
-                .arg(brief(-at->slowness * at->meeting.closing()), brief(at->slowness * at->left1),
-                     brief(at->slowness * at->left2)),
-            *at);
+                .arg(brief(hit.slowness * dot(hit.came2 - hit.came1, hit.nextNormal)),
+                     brief(hit.slowness * hit.left1), brief(hit.slowness * hit.left2)),
+            hit);
     }
 };
 

@@ -8,9 +8,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double kick = 1e-6;      ///< of a velocity, relative: what no rounding makes
-constexpr double shortStep = 1e-4; ///< s, so that the line of centres hardly turns in a step
-constexpr int fewSteps = 8;
+constexpr double kick = 1e-6; ///< of a velocity, relative: what no rounding makes
 constexpr double secondsOfOwn = 6.0;
 
 } // namespace
@@ -138,7 +136,7 @@ std::optional<PairHit> PairRange::own() const
     return std::nullopt;
 }
 
-Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h) const
+Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h, Vec2 middle) const
 {
     Preset preset = m_ground.stage();
     preset.timestep = h;
@@ -146,7 +144,6 @@ Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h
     const double angle = m.degrees * std::numbers::pi / 180.0;
     const Vec2 n{std::cos(angle), std::sin(angle)};
     const Vec2 t = perpendicular(n);
-    const Vec2 middle{0.17, -0.23};
     Circle &a = preset.circles[0].body;
     Circle &b = preset.circles[1].body;
     const PairVelocities &v = m.velocities;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/judging/likeness.h"
+#include "tasks/judging/long_run.h"
 #include "tasks/judging/measured_pair.h"
 
 #include <array>
@@ -34,6 +35,10 @@ public:
     /// Overlaps and moves apart: one step.
     [[nodiscard]] PairHit part(const Meeting &meeting) const;
 
+    /// The same meeting in one long run, here and there, early and late.
+    /// \param model  what look() shows of it at the start of a run
+    [[nodiscard]] std::vector<PairOccasion> again(const PairHit &model) const;
+
     /// The first hit of the pair in the student's own scene.
     [[nodiscard]] std::optional<PairHit> own() const;
 
@@ -41,11 +46,16 @@ public:
     /// runs through circle 1.
     void meetAgain(MeasuredPair &pair) const;
 
+    /// A hit of circles that move apart, a few steps after they have met; nothing if there is none.
+    [[nodiscard]] std::optional<PairHit> twice(const Meeting &meeting) const;
+
     /// Two hits with different lines of centres: equal circles, of which 2 comes back from a wall
     /// while 1 drifts to one side.
     [[nodiscard]] std::optional<LaterHit> later(double radius, double density, double e) const;
 
 private:
+    /// Lets them meet in the midst of a run. \return false if that comes to nothing
+    bool meetIn(LongRun &run, PairOccasion &meeting) const;
     /// The same with circle 2 at x = \p place, m.
     /// \param tooNear  so near the centres come only if nothing is answered in time, m
     void comeBack(MeasuredPair &pair, double place, double tooNear) const;
@@ -57,7 +67,12 @@ private:
 
     /// \param distance  of the centres at the start, m
     /// \param aim       when they are so far apart, they stand along the line that is asked for, m
-    [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h) const;
+    /// \param middle    of the two, m
+    [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h,
+                                Vec2 middle = usualMiddle) const;
+    static constexpr Vec2 usualMiddle{0.17, -0.23};
+    static constexpr double shortStep = 1e-4; ///< s: the line of centres hardly turns in a step
+    static constexpr int fewSteps = 8;
 
     [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double aim, double h,
                                int most = 400) const;

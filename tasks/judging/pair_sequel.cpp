@@ -45,6 +45,29 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
     }
 }
 
+std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
+{
+    constexpr int stepsAfterwards = 6;
+    const double way = meeting.closing() * m_h;
+    PairHit hit{.meeting = meeting, .slowness = slowness(m_h)};
+    hit.stage = stageOf(meeting, meeting.sum() + 2.4 * way, meeting.sum(), m_h);
+    Probe probe(m_program, hit.stage);
+    const std::vector<Flight> &flights = m_flight.at({}, m_h);
+    int first = 0;
+    for (int k = 1; k <= (first == 0 ? 2 * fewSteps : first + stepsAfterwards); ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            break;
+        hit.answered = hit.held = false;
+        note(hit, before, probe, flights, k);
+        if (first == 0 && hit.isMet())
+            first = k;
+        else if (first > 0 && hit.answered && hit.parting)
+            return hit;
+    }
+    return std::nullopt;
+}
+
 std::optional<LaterHit> PairRange::later(double radius, double density, double e) const
 {
     // Between them when circle 2 comes to the wall, at the speed that they met with.

@@ -38,6 +38,8 @@ public:
     void place(const World &world) { m_run.place(world); }
     /// Makes one step. \return false if the program stopped with an error
     bool step() { return m_run.step(); }
+    /// The same with another timestep, s.
+    bool step(double dt) { return m_run.advance(dt) == Runner::Progress::Done; }
     /// What its program has worked so far, in instructions; 0 for laws.
     [[nodiscard]] qint64 instructions() const;
     /// What the next step assigns to the circles, in order; the step is made.

@@ -42,6 +42,12 @@ WallRange::WallRange(const QString *program, const Ground &ground, const Measure
     m_h = suits ? m_h : m_usual;
 }
 
+double WallRange::largeRadius() const
+{
+    const Ground::Range &radii = m_ground.walls.radii;
+    return radii.isVaried() ? radii.low + 0.75 * (radii.high - radii.low) : radii.low;
+}
+
 bool WallRange::isKnown(int circle) const
 {
     const Flight &f = flightOf(circle);
@@ -64,12 +70,10 @@ const Flight &WallRange::flightOf(int circle) const
 
 WallHit WallRange::shoot(int circle, Wall wall, double e, int place, bool corner) const
 {
-    WallHit hit{.circle = circle, .wall = wall, .restitution = e};
-    const Ground::Range &radii = m_ground.walls.radii;
-    hit.radius = radii.isVaried() ? radii.low + 0.75 * (radii.high - radii.low) : radii.low;
-    hit.otherRadius = radii.low;
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
+    hit.otherRadius = m_ground.walls.radii.low;
     const double shares[] = {0.29, 0.62};
-    hit.stage = stageOf(hit, speedOf(circle, place), shares[place], corner);
+    hit.stage = stageOf(hit, speedOf(circle, place), shares[place], {.corner = corner});
     watch(hit, corner);
     return hit;
 }
@@ -83,7 +87,7 @@ WallHit WallRange::creep(int circle, Wall wall, double e) const
                           : wall == Wall::Bottom ? creepingToFloor
                                                  : creepingWithLosses;
     const double speed = creeps / flightOf(circle).way.x;
-    hit.stage = stageOf(hit, speed, 0.29, false);
+    hit.stage = stageOf(hit, speed, 0.29, {});
     const Vec2 n = outwardNormal(wall);
     // On a longer way gravity would count more than the throw.
     const double way = m_falls || wall == Wall::Bottom ? 2.0 * creeps * m_usual : creepingWay;
@@ -91,7 +95,7 @@ WallHit WallRange::creep(int circle, Wall wall, double e) const
     c.position +=
         (hit.stage.preset.halfWidth - c.radius - 0.4 * creeps * m_usual - way - dot(n, c.position))
         * n;
-    watch(hit, false);
+    watch(hit);
     return hit;
 }
 
@@ -99,12 +103,12 @@ WallHit WallRange::comeFromFar(int circle, double speed) const
 {
     WallHit hit{.circle = circle, .restitution = m_ground.walls.restitutions.back()};
     hit.radius = hit.otherRadius = m_ground.walls.radii.low;
-    hit.stage = stageOf(hit, speed / flightOf(circle).way.x, 0.29, false);
+    hit.stage = stageOf(hit, speed / flightOf(circle).way.x, 0.29, {});
     const Vec2 n = outwardNormal(hit.wall);
     Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
     const double way = 1.5 * speed;
     c.position += (hit.stage.preset.halfWidth - c.radius - way - dot(n, c.position)) * n;
-    watch(hit, false);
+    watch(hit);
     return hit;
 }
 
@@ -115,7 +119,7 @@ double WallRange::speedOf(int circle, int place) const
     return (m_falls ? falling[place] : speeds[place]) / flightOf(circle).way.x;
 }
 
-Stage WallRange::stageOf(const WallHit &hit, double speed, double share, bool corner) const
+Stage WallRange::stageOf(const WallHit &hit, double speed, double share, const Aim &aim) const
 {
     Preset preset = m_ground.stage();
     preset.gravity = m_gravity;
@@ -123,22 +127,24 @@ Stage WallRange::stageOf(const WallHit &hit, double speed, double share, bool co
     preset.timestep = m_h;
     const Vec2 n = outwardNormal(hit.wall);
     const Vec2 t = perpendicular(n);
-    const double along = corner ? speed : 0.37 * speed;
+    const double along = aim.corner ? speed : 0.37 * speed;
     // Far enough away for a program that takes the diameter.
     const double step = speed * flightOf(hit.circle).way.x * m_h;
-    const double room = 2.4 * hit.radius + (0.3 + share) * step;
+    const double room =
+        aim.isNear ? hit.radius + (2.3 + share) * step : 2.4 * hit.radius + (0.3 + share) * step;
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
         Circle &c = preset.circles[i].body;
         if (static_cast<int>(i) == hit.circle) {
             c.radius = hit.radius;
             c.velocity = speed * n + along * t;
-            c.position = (preset.halfWidth - room) * n - 0.7 * t;
-            if (corner)
+            c.position = (preset.halfWidth - room) * n + aim.along * t;
+            if (aim.corner)
                 aimAtCorner(c, hit.circle, n, preset.halfWidth);
         } else {
             // The others fly on in the middle; what happens at the wall is not their affair.
             c.radius = hit.otherRadius;
-            c.position = (0.4 + 0.9 * static_cast<double>(i)) * t - 0.6 * n;
+            const double out = 0.4 + 0.9 * static_cast<double>(i);
+            c.position = aim.setting == 0 ? out * t - 0.6 * n : -out * t - 1.7 * n;
             const Flight &flight = flightOf(static_cast<int>(i));
             c.velocity = Vec2{0.31, 0.47} / std::max(1.0, flight.way.x);
         }

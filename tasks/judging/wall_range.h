@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/judging/long_run.h"
 #include "tasks/judging/measured_wall.h"
 
 namespace cradle {
@@ -34,6 +35,9 @@ public:
 
     [[nodiscard]] Drop drop(int circle, double e, double height) const;
 
+    /// Shots of all circles at all walls in one long run, here and there, early and late.
+    [[nodiscard]] std::vector<WallOccasion> again(double e) const;
+
     /// The strongest downward gravity of the checks; zero if there is none.
     [[nodiscard]] Vec2 fall() const;
 
@@ -41,8 +45,17 @@ private:
     /// One of them slow, so that the place where it turns is known well. Who goes too far in a
     /// step is thrown more gently: it comes to the wall in as many.
     [[nodiscard]] double speedOf(int circle, int place) const;
+    /// Of the circle that is shot: another than that of the others, where radii are varied.
+    [[nodiscard]] double largeRadius() const;
 
-    Stage stageOf(const WallHit &hit, double speed, double share, bool corner) const;
+    /// Where a shot comes to its wall, and where the other circles are meanwhile.
+    struct Aim {
+        double along = -0.7; ///< from the middle of the wall, m
+        int setting = 0;     ///< of the others: one of two
+        bool corner = false;
+        bool isNear = false; ///< it is there in the third step
+    };
+    Stage stageOf(const WallHit &hit, double speed, double share, const Aim &aim) const;
 
     /// Moves it along t so that it comes as far past that wall as past the wall of \p n, in the
     /// same step.
@@ -51,7 +64,15 @@ private:
     /// Whether \p c is so near one of the two walls that \p direction points to that it may be hit.
     static bool isNearWall(const Circle &c, Vec2 direction, double halfWidth);
 
-    void watch(WallHit &hit, bool corner) const;
+    /// The shot of that number in a long run, not made.
+    [[nodiscard]] WallOccasion shotOf(std::size_t number, int circle, double e) const;
+    /// Makes it. \return false if the run comes to nothing
+    bool shootIn(LongRun &run, WallOccasion &shot) const;
+
+    void watch(WallHit &hit, bool corner = false) const;
+    /// The same in the midst of a run, whose circles are set as the stage has them, up to the
+    /// answer.
+    void watch(WallHit &hit, Probe &probe, bool corner = false) const;
 
     void note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,
               const Motion &free, int k) const;

@@ -7,6 +7,7 @@ namespace cradle {
 namespace {
 
 constexpr int stepsAfterwards = 6;
+constexpr double farOutside = 1.0; ///< of a centre, m: who is turned there is not let through
 
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
@@ -23,6 +24,13 @@ bool WallRange::isNearWall(const Circle &c, Vec2 direction, double halfWidth)
 void WallRange::watch(WallHit &hit, bool corner) const
 {
     Probe probe(m_program, hit.stage);
+    watch(hit, probe, corner);
+    if (hit.turned || hit.held)
+        follow(hit, probe);
+}
+
+void WallRange::watch(WallHit &hit, Probe &probe, bool corner) const
+{
     const Preset &preset = hit.stage.preset;
     const Vec2 n = outwardNormal(hit.wall);
     const Flight &flight = flightOf(hit.circle);
@@ -31,8 +39,8 @@ void WallRange::watch(WallHit &hit, bool corner) const
         const std::vector<Circle> before = probe.world().circles;
         const Circle &c = before[static_cast<std::size_t>(hit.circle)];
         const double distance = distanceFrom(hit.wall, preset.halfWidth, c.position);
-        if (distance < -1.3 * hit.radius - 2.0 * step)
-            return; // all of it is outside
+        if (distance < -farOutside - 2.0 * step)
+            return; // nothing will turn it any more
         if (dot(n, c.velocity) < 0.0
             || (!corner && isNearWall(c, perpendicular(n), preset.halfWidth))) {
             hit.missed = true; // something else turns it, or may, before it is there
@@ -59,7 +67,6 @@ void WallRange::watch(WallHit &hit, bool corner) const
         hit.turned = turned;
         hit.held = !turned;
         lookAtOthers(hit, before, probe);
-        follow(hit, probe);
         return;
     }
     // It never came there, or so slowly that all of this time has not brought it through.

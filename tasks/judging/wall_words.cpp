@@ -19,10 +19,13 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> judge()
     {
+        findKicked();
         take(missingDeviations(*this));
         findReach();
         findLeap();
         findPutOut();
+        if (!m_isElsewhere)
+            findLifted();
         take(answerDeviation(*this));
         findDisturbed();
         findCorners();
@@ -93,11 +96,50 @@ private:
         }
     }
 
+    /// A hit that changes the velocity of another circle, too, of which nothing else is told.
+    void findKicked()
+    {
+        const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(),
+                                     [](const WallHit &hit) { return hit.kicks && hit.missed; });
+        if (at == m_own.hits.end())
+            return;
+        add(WallText::tr("Beside a wall the velocity of both circles changes at once"),
+            WallText::tr(
+                "When circle %1 was %2 m from the %3 its velocity changed, and in the same "
+                "step that of the other, far from it and from every wall. Look at which "
+                "lines run for both, and at what they ask.")
+                .arg(QString::number(at->circle + 1), brief(at->before),
+                     motion::wallName(at->wall)),
+            *at, {at->circle}, Suspect::Question);
+    }
+
+    /// Put further in than any way back puts it.
+    void findLifted()
+    {
+        const auto isLifted = [](const WallHit &hit) {
+            const double travel = std::max(1.0, std::abs(hit.back)) * std::abs(hit.travel);
+            return hit.turned && hit.after > std::max(hit.before, hit.radius) + travel + 1e-3;
+        };
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            const WallHit &hit = m_own.hits[i];
+            if (!isLifted(hit) || hit.isLeap() || isLifted(rightOf(i)))
+                continue;
+            add(WallText::tr("A hit puts %who away from the wall (%1)")
+                    .arg(motion::wallName(hit.wall)),
+                WallText::tr("Its centre was %1 m from the wall before that step and was put %2 m "
+                             "from it; its radius is %3 m, so that there is a gap. Put it where "
+                             "its rim is at the wall, or back where it came from.")
+                    .arg(brief(hit.before), brief(hit.after), brief(hit.radius)),
+                hit, {hit.circle}, Suspect::Answer, true);
+            return;
+        }
+    }
+
     void findDisturbed()
     {
         // What changes in the first step of a throw is no answer of a wall.
         const auto disturbs = [](const WallHit &hit) {
-            return hit.disturbs && (hit.step > 1 || hit.fits(hit.radius));
+            return hit.disturbs && !hit.missed && (hit.step > 1 || hit.fits(hit.radius));
         };
         const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), disturbs);
         const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
@@ -201,6 +243,18 @@ private:
     bool m_isElsewhere = false; ///< walls turn circles at another place than the rim
 };
 
+/// Takes out what another circle feels as well and not with \p right: it may be a hit of the two.
+void blankKicks(std::vector<WallHit> &hits, const std::vector<WallHit> &right)
+{
+    for (std::size_t i = 0; i < hits.size() && i < right.size(); ++i) {
+        WallHit &hit = hits[i];
+        if (!hit.kicks || right[i].kicks || hit.step < 2)
+            continue;
+        hit.missed = true;
+        hit.turned = hit.held = false;
+    }
+}
+
 /// What \p law says of \p circles.
 MeasuredWalls only(MeasuredWalls law, const std::vector<int> &circles)
 {
@@ -222,9 +276,13 @@ MeasuredWalls only(MeasuredWalls law, const std::vector<int> &circles)
 std::vector<LawDeviation> wallDeviations(const MeasuredWalls &own, const MeasuredWalls &right,
                                          const Ground &ground)
 {
-    const auto [mine, theirs] = std::pair(only(own, right.judged), only(right, own.judged));
+    auto [mine, theirs] = std::pair(only(own, right.judged), only(right, own.judged));
     if (mine.judged.empty())
         return {};
+    for (const auto part : {&MeasuredWalls::hits, &MeasuredWalls::corners, &MeasuredWalls::slow}) {
+        if (ground.pair.asked)
+            blankKicks(mine.*part, theirs.*part);
+    }
     return WallJudge(mine, theirs, ground).judge();
 }
 

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/condition_comparison.h"
+
+namespace cradle {
+
+QString ConditionComparison::counted(const std::vector<Occasion> &when)
+{
+    return QLatin1String("\n\n")
+           + ConditionText::tr("Of %1 that differ only in when and where they come %2 came out "
+                               "right.")
+                 .arg(when.size())
+                 .arg(rightOnes(when))
+           + QLatin1Char(' ');
+}
+
+void ConditionComparison::add(Aspect aspect, QString message, const Condition &condition,
+                              const std::vector<int> &circles, const Moment &place)
+{
+    using Kind = Condition::Kind;
+    const bool isOfPlace = condition.kind == Kind::Above || condition.kind == Kind::Below
+                           || condition.kind == Kind::LeftOf || condition.kind == Kind::RightOf;
+    message += QLatin1Char(' ')
+               + ConditionText::tr("Look at the conditions in front of the lines that do it, and "
+                                   "at what your program keeps from one step to the next.");
+    message.replace(QLatin1String("%who"), circleNames(circles, m_ground.flights.size()));
+    LawDeviation said{.aspect = aspect,
+                      .message = message,
+                      .moment = isOfPlace ? place : m_shown,
+                      .suspect = Suspect::Question,
+                      .isConditional = true};
+    said.moment.circles = circles;
+    m_said.deviations.insert(m_said.deviations.begin(), said);
+    m_said.isOfPlace |= isOfPlace;
+}
+
+ConditionedAspect conditioned(Aspect aspect, std::vector<LawDeviation> found,
+                              const MeasuredLaws &own, const MeasuredLaws &right,
+                              const Ground &ground, const Moment &shown)
+{
+    const ConditionComparison comparison(std::move(found), own, right, ground, shown);
+    switch (aspect) {
+    case Aspect::Motion:
+        return conditionedFlight(comparison);
+    case Aspect::Walls:
+        return conditionedWalls(comparison);
+    case Aspect::Contact:
+    case Aspect::Response:
+        return conditionedPair(comparison, aspect);
+    case Aspect::Start:
+    case Aspect::Course:
+        break;
+    }
+    return {};
+}
+
+} // namespace cradle

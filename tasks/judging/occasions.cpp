@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/occasions.h"
+
+#include "tasks/judging/deviation.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct OccasionText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+using Kind = Condition::Kind;
+
+/// A single one may lie at the edge of all places by chance.
+constexpr int fewest = 2;
+
+/// Tells the right ones from the others by one thing at a time.
+class Division
+{
+public:
+    explicit Division(const std::vector<Occasion> &occasions)
+        : m_all(occasions)
+    {
+    }
+
+    /// Whether exactly those come out right of which \p holds is true.
+    template <class Holds>
+    [[nodiscard]] bool is(Holds holds) const
+    {
+        return std::all_of(m_all.begin(), m_all.end(),
+                           [&](const Occasion &one) { return one.isRight == holds(one); });
+    }
+
+    /// That those come out right of which \p part is great enough: between which two values.
+    template <class Part>
+    [[nodiscard]] std::optional<Condition> atLeast(Kind kind, Part part) const
+    {
+        double right = std::numeric_limits<double>::infinity();
+        double wrong = -right;
+        for (const Occasion &one : m_all) {
+            if (one.isRight)
+                right = std::min<double>(right, part(one));
+            else
+                wrong = std::max<double>(wrong, part(one));
+        }
+        return wrong < right ? std::optional(Condition{kind, right, wrong}) : std::nullopt;
+    }
+    template <class Part>
+    [[nodiscard]] std::optional<Condition> atMost(Kind kind, Part part) const
+    {
+        auto found = atLeast(kind, [&](const Occasion &one) { return -part(one); });
+        if (found)
+            found = {kind, -found->inside, -found->outside};
+        return found;
+    }
+
+private:
+    const std::vector<Occasion> &m_all;
+};
+
+} // namespace
+
+int rightOnes(const std::vector<Occasion> &occasions)
+{
+    return static_cast<int>(std::count_if(occasions.begin(), occasions.end(),
+                                          [](const Occasion &one) { return one.isRight; }));
+}
+
+std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
+{
+    const int right = rightOnes(occasions);
+    const int wrong = static_cast<int>(occasions.size()) - right;
+    if (right == 0 || wrong == 0)
+        return std::nullopt;
+    const Division by(occasions);
+    for (const auto number : {&Occasion::number, &Occasion::ownNumber}) {
+        if (by.is([&](const Occasion &one) { return one.*number == 1; }))
+            return Condition{Kind::First};
+        if (by.is([&](const Occasion &one) { return one.*number > 1; }))
+            return Condition{Kind::NotFirst};
+        if (by.is([&](const Occasion &one) { return one.*number % 2 == 1; }))
+            return Condition{Kind::OddOnes};
+        if (by.is([&](const Occasion &one) { return one.*number % 2 == 0; }))
+            return Condition{Kind::EvenOnes};
+    }
+    if (by.is([](const Occasion &one) { return !one.hasMet; }))
+        return Condition{Kind::BeforeMet};
+    if (right < fewest || wrong < fewest)
+        return Condition{};
+    if (const auto pause = by.atLeast(Kind::Pause, [](const Occasion &one) { return one.pause; }))
+        return pause;
+    struct Part {
+        double (*of)(const Occasion &);
+        Kind most;
+        Kind least;
+    };
+    for (const Part &part :
+         {Part{[](const Occasion &one) { return one.time; }, Kind::Until, Kind::From},
+          Part{[](const Occasion &one) { return one.place.y; }, Kind::Below, Kind::Above},
+          Part{[](const Occasion &one) { return one.place.x; }, Kind::LeftOf, Kind::RightOf},
+          Part{[](const Occasion &one) { return one.speed; }, Kind::Slower, Kind::Faster}}) {
+        for (const auto &found : {by.atMost(part.most, part.of), by.atLeast(part.least, part.of)}) {
+            if (found)
+                return found;
+        }
+    }
+    for (const int setting : {0, 1}) {
+        if (by.is([&](const Occasion &one) { return one.setting == setting; }))
+            return Condition{Kind::Setting};
+    }
+    return Condition{};
+}
+
+QString phraseOf(const Condition &condition)
+{
+    const auto between = [&](const QString &text) {
+        const auto [low, high] = std::minmax(condition.inside, condition.outside);
+        return text.arg(brief(low), brief(high));
+    };
+    switch (condition.kind) {
+    case Kind::Sometimes:
+    case Kind::Setting:
+        break;
+    case Kind::First:
+        return OccasionText::tr("the first time");
+    case Kind::NotFirst:
+        return OccasionText::tr("from the second time on");
+    case Kind::OddOnes:
+        return OccasionText::tr("the first time, the third, and so on");
+    case Kind::EvenOnes:
+        return OccasionText::tr("every second time");
+    case Kind::Pause:
+        return OccasionText::tr("when the last one is long past");
+    case Kind::BeforeMet:
+        return OccasionText::tr("until the circles have hit each other");
+    case Kind::Until:
+        return between(OccasionText::tr("up to a time between %1 and %2 s"));
+    case Kind::From:
+        return between(OccasionText::tr("from a time between %1 and %2 s on"));
+    case Kind::Above:
+        return between(OccasionText::tr("above a height between y = %1 and %2 m"));
+    case Kind::Below:
+        return between(OccasionText::tr("below a height between y = %1 and %2 m"));
+    case Kind::LeftOf:
+        return between(OccasionText::tr("to the left of a place between x = %1 and %2 m"));
+    case Kind::RightOf:
+        return between(OccasionText::tr("to the right of a place between x = %1 and %2 m"));
+    case Kind::Slower:
+        return between(OccasionText::tr("up to a speed between %1 and %2 m/s"));
+    case Kind::Faster:
+        return between(OccasionText::tr("from a speed between %1 and %2 m/s on"));
+    }
+    return OccasionText::tr("at times");
+}
+
+} // namespace cradle

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/world/vec2.h"
+
+#include <QString>
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace cradle {
+
+/// One of several things in a long run of a program that differ only in when and where they come:
+/// hits at walls, hits of two circles, or steps of free flight.
+struct Occasion {
+    double time = 0.0;                                      ///< since the run began, s
+    int number = 1;                                         ///< of all those in the run, from 1
+    int ownNumber = 1;                                      ///< and of those of its circle
+    double pause = std::numeric_limits<double>::infinity(); ///< since the one before it, s
+    Vec2 place{};                                           ///< of the circle or of both, m
+    double speed = 0.0;                                     ///< with which it comes, m/s
+    int setting = 0;                                        ///< where the other circles were
+    bool hasMet = false; ///< the two circles have hit each other before
+    bool isRight = true;
+};
+
+/// What those that come out right have in common, and no others.
+struct Condition {
+    enum class Kind {
+        Sometimes, ///< nothing that is known
+        First,     ///< it is the first
+        NotFirst,  ///< it is not
+        OddOnes,   ///< the first, the third, and so on
+        EvenOnes,
+        Pause,     ///< the last one was long ago
+        BeforeMet, ///< the circles have not met yet
+        Until,     ///< a time, s
+        From,
+        Above, ///< a place, m
+        Below,
+        LeftOf,
+        RightOf,
+        Slower, ///< speeds, m/s
+        Faster,
+        Setting, ///< it counts where the other circles are
+    };
+    Kind kind = Kind::Sometimes;
+    /// The limit lies between that of the last right one and that of the first wrong one.
+    double inside = 0.0;
+    double outside = 0.0;
+};
+
+/// \return nothing where all of \p occasions come out alike
+[[nodiscard]] std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions);
+
+/// "the first time", "up to a time between 2.9 and 3.6 s": to stand behind "only".
+[[nodiscard]] QString phraseOf(const Condition &condition);
+
+/// How many come out right.
+[[nodiscard]] int rightOnes(const std::vector<Occasion> &occasions);
+
+} // namespace cradle

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/long_run.h"
+#include "tasks/judging/wall_range.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cradle {
+
+namespace {
+
+/// Before each shot, two of each of two circles at each wall, s: some come as soon as the one
+/// before is over.
+constexpr std::array waits{0.0, 0.0, 0.3, 0.5, 0.0, 1.0, 0.0, 0.0,
+                           1.5, 2.0, 0.0, 3.0, 0.0, 5.0, 0.0, 0.0};
+/// Where circles come to the walls, from their middles, m.
+constexpr std::array places{1.45, -2.65};
+/// Of one whose first shot is late, s.
+constexpr double lateStart = 6.0;
+constexpr int stepsOfMeeting = 12;
+
+/// Lets circles 1 and 2 run into each other. \return whether one of them was turned
+/// \param way  what they go in a step, of v h
+bool meet(LongRun &run, const Preset &stage, double way)
+{
+    Preset scene = stage;
+    const double touching = scene.circles[0].body.radius + scene.circles[1].body.radius;
+    const double speed = 0.1 * touching / (way * stage.timestep);
+    scene.circles[0].body.position = {-0.6 * touching, 0.31};
+    scene.circles[0].body.velocity = {speed, 0.0};
+    scene.circles[1].body.position = {0.6 * touching, 0.31};
+    scene.circles[1].body.velocity = {};
+    run.set(scene);
+    for (int k = 0; k < stepsOfMeeting && run.probe().step(); ++k) {
+    }
+    return std::abs(run.probe().circle(0).velocity.x - speed)
+               + std::abs(run.probe().circle(1).velocity.x)
+           > 0.01 * speed;
+}
+
+} // namespace
+
+/// The shot of that number, which is made in \p run, that has lasted so long.
+WallOccasion WallRange::shotOf(std::size_t number, int circle, double e) const
+{
+    const std::size_t round = number / std::size(allWalls);
+    const std::size_t wall = (number + round / 2) % std::size(allWalls);
+    WallOccasion shot{.hit = {.circle = circle,
+                              .wall = allWalls[wall],
+                              .restitution = e,
+                              .radius = largeRadius(),
+                              .otherRadius = m_ground.walls.radii.low}};
+    WallHit &hit = shot.hit;
+    shot.when.setting = static_cast<int>(round % 2);
+    hit.stage = stageOf(
+        hit, speedOf(circle, 0), 0.29,
+        {.along = places[(round / 2 + wall) % 2], .setting = shot.when.setting, .isNear = true});
+    const Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
+    const Vec2 n = outwardNormal(hit.wall);
+    const double room = hit.stage.preset.halfWidth - c.radius - dot(n, c.position);
+    shot.when.place = c.position + room * n;
+    shot.when.speed = dot(c.velocity, n);
+    return shot;
+}
+
+bool WallRange::shootIn(LongRun &run, WallOccasion &shot) const
+{
+    run.set(shot.hit.stage.preset);
+    shot.when.time = run.time();
+    watch(shot.hit, run.probe());
+    shot.when.time += static_cast<double>(std::max<qint64>(shot.hit.step, 1)) * m_h;
+    return run.runs();
+}
+
+std::vector<WallOccasion> WallRange::again(double e) const
+{
+    std::vector<int> circles = m_ground.walls.circles;
+    std::erase_if(circles, [&](int circle) { return !isKnown(circle); });
+    if (!m_program || circles.empty())
+        return {};
+    std::vector<WallOccasion> all;
+    for (const int circle : circles) {
+        WallOccasion late = shotOf(1, circle, e);
+        LongRun run(m_program, m_ground, late.hit.stage.preset);
+        run.wait(lateStart);
+        if (!shootIn(run, late))
+            return {};
+        all.push_back(late);
+    }
+    LongRun run(m_program, m_ground, shotOf(0, circles.front(), e).hit.stage.preset);
+    std::vector<int> own(m_ground.flights.size(), 0);
+    int number = 0;
+    bool hasMet = false;
+    double last = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < waits.size(); ++k) {
+        WallOccasion shot = shotOf(k, circles[(k + k / std::size(allWalls)) % circles.size()], e);
+        if (k == waits.size() / 2 && m_ground.pair.asked && m_ground.flights.size() > 1)
+            hasMet = meet(run, shot.hit.stage.preset, flightOf(0).way.x);
+        run.wait(waits[k]);
+        if (!shootIn(run, shot))
+            return {};
+        int &ownNumber = own[static_cast<std::size_t>(shot.hit.circle)];
+        if (!shot.hit.missed) {
+            ++number;
+            ++ownNumber;
+        }
+        shot.when.number = number;
+        shot.when.ownNumber = ownNumber;
+        shot.when.hasMet = hasMet;
+        shot.when.pause = shot.when.time - last;
+        last = shot.when.time;
+        all.push_back(shot);
+    }
+    return all;
+}
+
+std::vector<WallOccasion> measureWallsAgain(const QString *program, const Ground &ground,
+                                            const MeasuredFlight &flight)
+{
+    return WallRange(program, ground, flight).again(middleOf(ground.walls.restitutions));
+}
+
+} // namespace cradle

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/condition_comparison.h"
+
+#include "tasks/checks/motion.h"
+
+namespace cradle {
+
+namespace {
+
+/// Judges hits at walls.
+class WallConditions : ConditionComparison
+{
+public:
+    explicit WallConditions(const ConditionComparison &comparison)
+        : ConditionComparison(comparison)
+    {
+    }
+
+    [[nodiscard]] ConditionedAspect judge()
+    {
+        if (m_own.wallsAgain().empty() || m_right.wallsAgain().empty())
+            return std::move(m_said);
+        const double e = m_right.wallsAgain().front().hit.restitution;
+        m_first = first(m_own.walls(), e);
+        m_rightFirst = first(m_right.walls(), e);
+        // A slow one that is not turned may just not come to where it would be.
+        sayWalls(
+            mixed(wallSeries([](const WallOccasion &one) { return !one.isSlow || one.hit.turned; },
+                             [&](const WallHit &hit, const WallHit &) { return isAnswered(hit); })),
+            ConditionText::tr("The walls turn %who round only %1"),
+            [](const LawDeviation &found) { return found.suspect != Suspect::Formula; });
+        // What falls in the step of a slow one blurs its answer.
+        sayWalls(mixed(wallSeries(
+                     [&](const WallOccasion &one) { return !one.isSlow && isAnswered(one.hit); },
+                     [&](const WallHit &hit, const WallHit &right) {
+                         return isRightAnswer(hit, right);
+                     })),
+                 ConditionText::tr("Hits of %who at the walls come out right only %1"),
+                 [](const LawDeviation &found) { return found.suspect == Suspect::Formula; });
+        return std::move(m_said);
+    }
+
+private:
+    /// Whether \p hit is answered when others as fast are at that wall: not far outside, where
+    /// another condition may have come true.
+    [[nodiscard]] bool isAnswered(const WallHit &hit) const
+    {
+        const auto isFar = [](const WallHit &one) { return one.before < -1.3 * one.radius; };
+        const double blur = 0.1 * std::abs(hit.travel);
+        std::optional<double> inTime;
+        for (const WallHit &other : m_own.walls().hits) {
+            if (other.circle == hit.circle && other.wall == hit.wall && other.turned
+                && !isFar(other) && std::abs(other.travel - hit.travel) < blur)
+                inTime = std::min(inTime.value_or(other.reached), other.reached);
+        }
+        return (hit.turned || hit.held) && !isFar(hit)
+               && (!inTime
+                   || hit.before > std::min(*inTime, hit.radius) - 1.5 * std::abs(hit.travel));
+    }
+
+    /// Whether \p hit is answered as that of the reference is.
+    [[nodiscard]] bool isRightAnswer(const WallHit &hit, const WallHit &right) const
+    {
+        const double blur = std::max(m_own.walls().blur, m_right.walls().blur);
+        const auto isNear = [&](double a, double b) {
+            return std::abs(a - b) <= blur * (1.0 + std::abs(b));
+        };
+        return hit.turned && isNear(hit.back, right.back) && isNear(hit.along, right.along);
+    }
+
+    /// Of hits at the walls, in long runs and at the start of others.
+    template <class Takes, class IsRight>
+    [[nodiscard]] Series<WallOccasion> wallSeries(Takes takes, IsRight isRight)
+    {
+        Series<WallOccasion> series;
+        const auto take = [&](const std::vector<WallOccasion> &own,
+                              const std::vector<WallOccasion> &right) {
+            for (std::size_t i = 0; own.size() == right.size() && i < own.size(); ++i) {
+                // One that changes the other's velocity as well may be a hit of the two.
+                const bool isOfBoth = own[i].hit.kicks && !right[i].hit.kicks;
+                if (!own[i].hit.missed && !isOfBoth && right[i].hit.turned && takes(own[i]))
+                    series.add(own[i], right[i], isRight(own[i].hit, right[i].hit));
+            }
+        };
+        take(m_first, m_rightFirst);
+        take(m_own.wallsAgain(), m_right.wallsAgain());
+        return series;
+    }
+
+    /// The hits of short runs with the e of the long one.
+    [[nodiscard]] static std::vector<WallOccasion> first(const MeasuredWalls &walls, double e)
+    {
+        std::vector<WallOccasion> all;
+        const auto add = [&](const WallHit &hit, bool isSlow) {
+            const Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body;
+            const Vec2 n = outwardNormal(hit.wall);
+            const double room = hit.stage.preset.halfWidth - c.radius - dot(n, c.position);
+            if (hit.restitution == e)
+                all.push_back({hit,
+                               {.time = static_cast<double>(hit.step) * hit.stage.preset.timestep,
+                                .place = c.position + room * n,
+                                .speed = dot(c.velocity, n)},
+                               isSlow});
+        };
+        for (const WallHit &hit : walls.hits)
+            add(hit, false);
+        for (const WallHit &hit : walls.slow)
+            add(hit, true);
+        return all;
+    }
+
+    /// Without those of circles that are always right; empty where it is only the wall that counts.
+    [[nodiscard]] static Series<WallOccasion> mixed(const Series<WallOccasion> &series)
+    {
+        const auto circles =
+            series.wrongCircles([](const WallOccasion &seen) { return seen.hit.circle; });
+        bool isMixed = false;
+        for (const int circle : circles) {
+            for (const Wall wall : allWalls) {
+                const auto some = series.those([&](const WallOccasion &seen) {
+                    return seen.hit.circle == circle && seen.hit.wall == wall;
+                });
+                const int right = rightOnes(some.when);
+                isMixed |= right > 0 && right < static_cast<int>(some.when.size());
+            }
+        }
+        return series.those([&](const WallOccasion &seen) {
+            return isMixed
+                   && std::find(circles.begin(), circles.end(), seen.hit.circle) != circles.end();
+        });
+    }
+
+    template <class IsReplaced>
+    void sayWalls(const Series<WallOccasion> &series, const QString &headline,
+                  IsReplaced isReplaced)
+    {
+        const auto condition = conditionOf(series.when);
+        // Where nothing divides them, what was found tells more.
+        if (!condition
+            || (condition->kind == Condition::Kind::Sometimes && !m_said.deviations.empty()))
+            return;
+        // What hangs on the other circle is a fault of the contact.
+        if (condition->kind == Condition::Kind::Setting && m_ground.pair.asked) {
+            m_said.deviations.clear();
+            return;
+        }
+        const auto &[own, right] = series.firstWrong();
+        const WallHit &hit = own->hit;
+        const Vec2 came =
+            hit.turned
+                ? hit.came
+                : hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.velocity;
+        const QString seen =
+            (hit.turned ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
+                                            "with %5 m/s and left it with %6 m/s; %7 m/s is right.")
+                        : ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
+                                            "with %5 m/s and went on past it."))
+                .arg(brief(own->when.time))
+                .arg(hit.circle + 1)
+                .arg(motion::wallName(hit.wall), brief(own->when.place), brief(came));
+        const Vec2 n = outwardNormal(hit.wall);
+        const Vec2 t = perpendicular(n);
+        const Vec2 good =
+            -right->hit.back * dot(hit.came, n) * n + right->hit.along * dot(hit.came, t) * t;
+        say(Aspect::Walls,
+            headline.arg(phraseOf(*condition)) + counted(series.when)
+                + (hit.turned ? seen.arg(brief(hit.left), brief(good)) : seen),
+            *condition, series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
+            {.stage = hit.stage, .step = std::max(hit.step, right->hit.step)}, isReplaced);
+    }
+
+    std::vector<WallOccasion> m_first{}; ///< in short runs
+    std::vector<WallOccasion> m_rightFirst{};
+};
+
+} // namespace
+
+ConditionedAspect conditionedWalls(const ConditionComparison &comparison)
+{
+    return WallConditions(comparison).judge();
+}
+
+} // namespace cradle

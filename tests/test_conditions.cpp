@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/judging/condition_words.h"
+#include "tasks/reading/lab_list.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// What a program does right at some times or places only is not told as if it always, or never,
+/// did it.
+class TestConditions : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void whatIsAlwaysSoHasNoCondition_data();
+    void whatIsAlwaysSoHasNoCondition();
+    void conditionIsNamed_data();
+    void conditionIsNamed();
+    void wordsTellWhatWasSeen();
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+/// What is said of all aspects in the end.
+std::vector<LawDeviation> said(const LawBench &step, const QString &program)
+{
+    const MeasuredLaws own(&program, step.ground);
+    std::vector<LawDeviation> all;
+    const Moment shown{.stage = {step.ground.own, false}};
+    for (const auto &[aspect, found] :
+         {std::pair(Aspect::Motion,
+                    flightDeviations(own.flight(), step.right.flight(), step.ground)),
+          std::pair(Aspect::Walls, wallDeviations(own.walls(), step.right.walls(), step.ground)),
+          std::pair(Aspect::Contact, contactDeviations(own.pair(), step.right.pair(), step.ground)),
+          std::pair(Aspect::Response,
+                    responseDeviations(own.pair(), step.right.pair(), step.ground))}) {
+        const ConditionedAspect conditions =
+            conditioned(aspect, found, own, step.right, step.ground, shown);
+        all.insert(all.end(), conditions.deviations.begin(), conditions.deviations.end());
+        if (conditions.isOfPlace)
+            break;
+    }
+    return all;
+}
+
+QString eOf(const QString &step)
+{
+    return step == QLatin1String("L42T16") || step == QLatin1String("L42T17")
+               ? QStringLiteral("restitution")
+               : QStringLiteral("1");
+}
+
+/// Right work for a step, with conditions in front of its parts.
+struct Conditions {
+    const char *start = "";
+    const char *move = "true";
+    const char *walls = "true";
+    const char *turned = ""; ///< what is done after a hit at a wall
+    const char *back = "";   ///< what a wall gives back, if not what it should
+    const char *hit = "closing > 0";
+    const char *met = ""; ///< what is done after a hit of the two
+    const char *e = "";
+};
+
+QString program(const QString &step, const Conditions &c, std::size_t form)
+{
+    const QString e =
+        step == QLatin1String("L42T17") ? QStringLiteral("restitution") : QStringLiteral("1");
+    const QByteArray back = *c.back ? QByteArray(c.back) : e.toLatin1();
+    LawProgram law;
+    law.start = text(c.start);
+    law.move = text("if %1 then c.velocity = c.velocity + gravity * h end "
+                    "c.position = c.position + c.velocity * h")
+                   .arg(text(c.move));
+    law.walls = text("local came = c.velocity if %1 then %2 if c.velocity ~= came then %3 end end")
+                    .arg(text(c.walls), wallsOf(wallWays[form], "c.radius", back.constData()),
+                         text(c.turned));
+    if (step.mid(4).toInt() > 8)
+        law.hit = hitOf(hitWays[form == 0 ? 0 : 2],
+                        {.approach = text(c.hit),
+                         .e = *c.e ? text(c.e) : eOf(step),
+                         .answer = HitLaw().answer + QLatin1Char(' ') + text(c.met)});
+    return written(law, structures[form == 0 ? 3 : 1]);
+}
+
+} // namespace
+
+void TestConditions::whatIsAlwaysSoHasNoCondition_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QStringList>("headlines");
+    for (const char *step : {"L42T7", "L42T12", "L42T16", "L42T17"}) {
+        for (const std::size_t form : {0U, 1U})
+            QTest::addRow("%s, form %zu", step, form)
+                << text(step) << program(text(step), {}, form) << QStringList();
+    }
+    for (const std::size_t form : {0U, 1U}) {
+        QTest::addRow("e squared at walls, form %zu", form)
+            << text("L42T17") << program(text("L42T17"), {.back = "restitution ^ 2"}, form)
+            << QStringList(text("At the walls e acts on both circles twice"));
+        QTest::addRow("e squared in hits, form %zu", form)
+            << text("L42T16") << program(text("L42T16"), {.e = "restitution ^ 2"}, form)
+            << QStringList(text("e is squared in the hit of two circles"));
+    }
+}
+
+void TestConditions::whatIsAlwaysSoHasNoCondition()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, source);
+    QFETCH(QStringList, headlines);
+    const LawBench bench(task(step));
+    QCOMPARE(LawBench::headlines(said(bench, source)), headlines);
+}
+
+void TestConditions::conditionIsNamed_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("headline");
+    const auto rows = [](const char *name, std::initializer_list<const char *> steps,
+                         const char *headline, const Conditions &conditions) {
+        for (const char *step : steps) {
+            for (const std::size_t form : {0U, 1U})
+                QTest::addRow("%s, %s, form %zu", name, step, form)
+                    << text(step) << program(text(step), conditions, form) << text(headline);
+        }
+    };
+    // Each number is that of the throw, hit or step that was the nearest to the limit.
+    rows("walls above", {"L42T7", "L42T12", "L42T17"},
+         "The walls turn both circles round only above a height between y = ",
+         {.walls = "c.position.y > 0"});
+    rows("walls once", {"L42T7", "L42T12", "L42T17"},
+         "The walls turn both circles round only the first time",
+         {.start = "done = false", .walls = "not done", .turned = "done = true"});
+    rows("walls with a pause", {"L42T12", "L42T17"},
+         "The walls turn both circles round only when the last one is long past",
+         {.start = "last = -9", .walls = "time - last > 0.2", .turned = "last = time"});
+    rows("walls until", {"L42T7", "L42T12", "L42T17"},
+         "The walls turn both circles round only up to a time between ", {.walls = "time < 3"});
+    rows("e of the walls", {"L42T17"},
+         "Hits of both circles at the walls come out right only up to a time between ",
+         {.back = "(time < 3 and restitution or 1)"});
+    rows("walls until they meet", {"L42T12", "L42T17"},
+         "The walls turn circle 2 round only until the circles have hit each other",
+         {.start = "met = false", .walls = "not (met and c.index == 2)", .met = "met = true"});
+    rows("fall above the floor", {"L42T3", "L42T7", "L42T17"}, "Gravity acts on ",
+         {.move = "c.position.y > -3.5"});
+    rows("fall until", {"L42T7", "L42T17"},
+         "Gravity acts on both circles as it should only up to a time between ",
+         {.move = "time < 3"});
+    rows("fall from", {"L42T7", "L42T17"},
+         "Gravity acts on both circles as it should only from a time between ",
+         {.move = "time > 1"});
+    rows("first hit", {"L42T12", "L42T16", "L42T17"}, "A later hit is not answered",
+         {.start = "met = false", .hit = "closing > 0 and not met", .met = "met = true"});
+    rows("hits above", {"L42T12", "L42T16"},
+         "Hits of the two circles are answered only above a height between y = ",
+         {.hit = "closing > 0 and p.position.y > 0"});
+    rows("hits until", {"L42T12", "L42T17"},
+         "Hits of the two circles are answered only up to a time between ",
+         {.hit = "closing > 0 and time < 3"});
+    rows("e from a step on", {"L42T16", "L42T17"},
+         "Hits of the two circles come out right only from a time between ",
+         {.e = "(step < 70 and 1 or restitution)"});
+}
+
+void TestConditions::conditionIsNamed()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, source);
+    QFETCH(QString, headline);
+    const LawBench bench(task(step));
+    const QStringList all = LawBench::headlines(said(bench, source));
+    QVERIFY2(!all.isEmpty() && all.front().startsWith(headline),
+             qPrintable(all.join(QStringLiteral(" | "))));
+    QCOMPARE(all.size(), 1);
+}
+
+void TestConditions::wordsTellWhatWasSeen()
+{
+    const LawBench bench(task(text("L42T12")));
+    const auto all = said(bench, program(text("L42T12"), {.hit = "closing > 0 and time < 3"}, 0));
+    QCOMPARE(all.size(), std::size_t{1});
+    QVERIFY(all.front().isConditional);
+    QVERIFY2(all.front().message.contains(
+                 text("Of 14 that differ only in when and where they come 8 came out right.")),
+             qPrintable(all.front().message));
+}
+
+QTEST_GUILESS_MAIN(TestConditions)
+#include "test_conditions.moc"
