@@ -149,7 +149,7 @@ void TestToldCarried::anotherThatMovesItIsTold()
                             "circle2.velocity = circle2.velocity + gravity * h end"),
              "The velocity of circle 1 moves circle 2");
     QVERIFY2(said.startsWith(QString::fromUtf8("In a scene in which circle 1 alone has a velocity, "
-                                               "it is circle 2 that goes on by v Δt.")),
+                                               "circle 2 goes on by that times Δt.")),
              qPrintable(said));
     const QString follows =
         body(QStringLiteral("function on_update(h) for _, c in ipairs(circles) do "

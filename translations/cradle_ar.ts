@@ -2264,10 +2264,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>سرعة الدائرة ⁨%1⁩ هي التي تحرّك %who</translation>
     </message>
     <message>
-        <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار ⁦v&#xa0;Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
-    </message>
-    <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>موضع %who الجديد لا يتوقف على القديم</translation>
     </message>
@@ -3671,6 +3667,14 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it.</source>
         <translation>عند ⁦%1 s⁩ من تشغيلها جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ عند ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩ ومضت إلى ما بعده.</translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, %who goes on by that times Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation>في مشهد لا سرعة فيه إلا للدائرة ⁨%1⁩ تتقدم %who بمقدار تلك السرعة مضروبة في ⁦Δt⁩. كل دائرة تتحرك بسرعتها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
+    </message>
+    <message>
+        <source>Its velocity still points into the wall: look at what it is worked out from.</source>
+        <translation>لا تزال السرعة تشير إلى داخل الجدار: انظر ممّ تُحسب.</translation>
     </message>
 </context>
 <context>

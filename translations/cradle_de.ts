@@ -2956,10 +2956,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s, und das nach jedem anderen Start. Ein Schritt rechnet die neue Geschwindigkeit aus der aus, die der Kreis hat und die ein Stoß geändert haben kann; der Start wird einmal gesetzt, in `on_load`.</translation>
     </message>
     <message>
-        <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>In einer Szene, in der nur Kreis %1 eine Geschwindigkeit hat, geht %who um v Δt weiter. Jeder Kreis bewegt sich mit seiner eigenen Geschwindigkeit: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
-    </message>
-    <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
         <translation> Beide Koordinaten des Orts müssen sich ändern, jede mit ihrem eigenen Anteil der Geschwindigkeit.</translation>
     </message>
@@ -3647,6 +3643,14 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it.</source>
         <translation>Nach %1 s seines Laufs kam Kreis %2 bei %4 m mit %5 m/s an %3 an und lief darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, %who goes on by that times Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation>In einer Szene, in der nur Kreis %1 eine Geschwindigkeit hat, geht %who um sie mal Δt weiter. Jeder Kreis bewegt sich mit seiner eigenen Geschwindigkeit: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
+    </message>
+    <message>
+        <source>Its velocity still points into the wall: look at what it is worked out from.</source>
+        <translation>Die Geschwindigkeit zeigt immer noch in die Wand: Sieh dir an, woraus sie berechnet wird.</translation>
     </message>
 </context>
 <context>

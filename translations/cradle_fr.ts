@@ -2240,10 +2240,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>La vitesse du cercle %1 déplace %who</translation>
     </message>
     <message>
-        <source>In a scene in which circle %1 alone has a velocity, it is %who that goes on by v Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
-        <translation>Dans une scène où seul le cercle %1 a une vitesse, ce qui avance de v Δt, c&apos;est&#xa0;: %who. Chaque cercle se déplace avec sa propre vitesse&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
-    </message>
-    <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>La nouvelle position ne dépend pas de l&apos;ancienne, pour %who</translation>
     </message>
@@ -3646,7 +3642,15 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     </message>
     <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it.</source>
-        <translation>À %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, avec %5 m/s, et a continué au-delà.</translation>
+        <translation>À %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, à %5 m/s, et a continué au-delà.</translation>
+    </message>
+    <message>
+        <source>In a scene in which circle %1 alone has a velocity, %who goes on by that times Δt. Each circle moves with its own velocity: look at the names in the line that moves it.</source>
+        <translation>Dans une scène où seul le cercle %1 a une vitesse, voici ce qui avance de cette vitesse fois Δt&#xa0;: %who. Chaque cercle se déplace avec sa propre vitesse&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
+    </message>
+    <message>
+        <source>Its velocity still points into the wall: look at what it is worked out from.</source>
+        <translation>La vitesse pointe toujours vers la paroi&#xa0;: regardez à partir de quoi elle est calculée.</translation>
     </message>
 </context>
 <context>

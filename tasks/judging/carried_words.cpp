@@ -78,10 +78,9 @@ public:
                         false);
         if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
             return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
-                        FlightText::tr("In a scene in which circle %1 alone has a velocity, it is "
-                                       "%who that goes on by v Δt. Each circle moves with "
-                                       "its own velocity: look at the names in the line that "
-                                       "moves it.")
+                        FlightText::tr("In a scene in which circle %1 alone has a velocity, %who "
+                                       "goes on by that times Δt. Each circle moves with its own "
+                                       "velocity: look at the names in the line that moves it.")
                             .arg(f.leader + 1),
                         true);
         if (f.jumps && !m_right.at(gravity(), timestep(), m_i).jumps)

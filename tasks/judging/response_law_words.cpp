@@ -66,10 +66,10 @@ private:
             const PairHit &right = m_right.equals[i];
             if (!own.isMet() || !right.isMet() || !own.isAligned() || !right.isAligned())
                 continue;
-            if (isSameAnswer(own.leftParts(), right.leftParts()))
-                continue;
             const PairVelocities a = own.leftParts();
-            const PairVelocities b = right.leftParts();
+            const PairVelocities b = rightFor(own.cameParts(), right);
+            if (isSameAnswer(a, b))
+                continue;
             const double off = std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2)
                                + std::abs(a.across1 - b.across1) + std::abs(a.across2 - b.across2);
             if (off > most) {

@@ -17,6 +17,10 @@ struct ResponseText {
 [[nodiscard]] LawDeviation responseDeviation(const QString &headline, const QString &body,
                                              const PairHit &hit, Suspect suspect = Suspect::Answer);
 
+/// What a right program makes of circles that come with \p in. Where one impulse answers them, it
+/// grows with the closing speed; what it makes of its own arrival, \p right, is taken over else.
+[[nodiscard]] PairVelocities rightFor(const PairVelocities &in, const PairHit &right);
+
 /// What came, what left, and what is right, in words.
 [[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);
 

@@ -89,7 +89,7 @@ private:
                 const PairHit &hit = (*own)[i];
                 const PairHit &good = (*right)[i];
                 if (hit.answered && good.answered && hit.isAligned() && good.isAligned()
-                    && !isSameAnswer(hit.leftParts(), good.leftParts()))
+                    && !isSameAnswer(hit.leftParts(), rightFor(hit.cameParts(), good)))
                     return {&hit, &good};
             }
         }
@@ -123,10 +123,6 @@ private:
 
 } // namespace
 
-namespace {
-
-/// What a right program makes of circles that come with \p in. Where one impulse answers them, it
-/// grows with the closing speed; what it makes of its own arrival, \p right, is taken over else.
 PairVelocities rightFor(const PairVelocities &in, const PairHit &right)
 {
     const Meeting &m = right.meeting;
@@ -145,8 +141,6 @@ PairVelocities rightFor(const PairVelocities &in, const PairHit &right)
     const double share = (in.along1 - in.along2) / closing;
     return {in.along1 + share * push1, in.across1, in.along2 + share * push2, in.across2};
 }
-
-} // namespace
 
 LawDeviation responseDeviation(const QString &headline, const QString &body, const PairHit &hit,
                                Suspect suspect)

@@ -3,6 +3,7 @@
 #include "tasks/judging/wall_comparison.h"
 
 #include "tasks/checks/figures.h"
+#include "tasks/judging/likeness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,7 +173,10 @@ private:
                         .arg(brief(*speed))};
         if (hit.back < 0.0)
             return {WallText::tr("The walls do not turn %who round"),
-                    WallText::tr("Its velocity still points into the wall: look at the sign.")};
+                    isAlike(hit.back, -hit.restitution, 0.05)
+                        ? WallText::tr("Its velocity still points into the wall: look at the sign.")
+                        : WallText::tr("Its velocity still points into the wall: look at what it "
+                                       "is worked out from.")};
         // A share that is seen with one e alone is no law.
         if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
             return {WallText::tr("The walls do not give %who e times the speed back"),

@@ -75,7 +75,28 @@ WallHit WallRange::shoot(int circle, Wall wall, double e, int place, bool corner
     const double shares[] = {0.29, 0.62};
     hit.stage = stageOf(hit, speedOf(circle, place), shares[place], {.corner = corner});
     watch(hit, corner);
+    if (corner && !hit.turnsBoth && passesBeside(hit))
+        hit.missed = true;
     return hit;
+}
+
+bool WallRange::passesBeside(const WallHit &corner) const
+{
+    const Vec2 n = outwardNormal(corner.wall);
+    const Vec2 middle = 0.5 * m_ground.stage().halfWidth * (n + perpendicular(n));
+    return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+        if (dot(outwardNormal(wall), middle) <= 0.0)
+            return false;
+        WallHit hit{.circle = corner.circle,
+                    .wall = wall,
+                    .restitution = corner.restitution,
+                    .radius = corner.radius};
+        hit.otherRadius = corner.otherRadius;
+        hit.stage = stageOf(hit, speedOf(hit.circle, 0), 0.29,
+                            {.along = dot(perpendicular(outwardNormal(wall)), middle)});
+        watch(hit);
+        return !hit.missed && !hit.turned && !hit.held;
+    });
 }
 
 WallHit WallRange::creep(int circle, Wall wall, double e) const

@@ -69,6 +69,9 @@ private:
     /// Makes it. \return false if the run comes to nothing
     bool shootIn(LongRun &run, WallOccasion &shot) const;
 
+    /// Whether one of the two walls of a corner lets its circle through beside the corner, too.
+    [[nodiscard]] bool passesBeside(const WallHit &corner) const;
+
     void watch(WallHit &hit, bool corner = false) const;
     /// The same in the midst of a run, whose circles are set as the stage has them, up to the
     /// answer.

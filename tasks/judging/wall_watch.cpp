@@ -8,6 +8,7 @@ namespace {
 
 constexpr int stepsAfterwards = 6;
 constexpr double farOutside = 1.0; ///< of a centre, m: who is turned there is not let through
+constexpr double outside = 1.3;    ///< of a centre, in radii: all of it is beyond the wall
 
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
@@ -35,12 +36,16 @@ void WallRange::watch(WallHit &hit, Probe &probe, bool corner) const
     const Vec2 n = outwardNormal(hit.wall);
     const Flight &flight = flightOf(hit.circle);
     const double step = dot(n, probe.circle(hit.circle).velocity) * flight.way.x * m_h;
+    bool wasOutside = false;
     for (int k = 1; k < 400 && probe.runs(); ++k) {
         const std::vector<Circle> before = probe.world().circles;
         const Circle &c = before[static_cast<std::size_t>(hit.circle)];
         const double distance = distanceFrom(hit.wall, preset.halfWidth, c.position);
         if (distance < -farOutside - 2.0 * step)
             return; // nothing will turn it any more
+        wasOutside = wasOutside || distance < -outside * hit.radius - 2.0 * step;
+        if (wasOutside && dot(n, c.velocity) < 0.0)
+            return; // gravity brings back what was let through
         if (dot(n, c.velocity) < 0.0
             || (!corner && isNearWall(c, perpendicular(n), preset.halfWidth))) {
             hit.missed = true; // something else turns it, or may, before it is there

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_words.h"
+
+#include "tests/law_programs.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// A corner is told only of a program whose walls hold by themselves, and a wall that lets a circle
+/// through is told also where gravity brings the circle back.
+class TestWallCorners : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void finding_data();
+    void finding();
+};
+
+namespace {
+
+/// Circle 1 with these lines for its walls, which see its place p, velocity v and radius r, and the
+/// old place.
+QString program(const char *gravity, const char *walls)
+{
+    return QStringLiteral("function on_update(h) local c, old = circle1, circle1.position "
+                          "c.velocity = c.velocity + %1 * h "
+                          "c.position = c.position + c.velocity * h "
+                          "local p, v, r = c.position, c.velocity, c.radius %2 end")
+        .arg(QLatin1String(gravity), QLatin1String(walls));
+}
+
+} // namespace
+
+void TestWallCorners::finding_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("headline"); ///< empty: none
+    const char *none = "gravity";
+    QTest::newRow("right") << "L42T2"
+                           << program(none, "local turned = v "
+                                            "if p.x - r < square.left and v.x < 0 or "
+                                            "p.x + r > square.right and v.x > 0 then "
+                                            "turned = vec(-turned.x, turned.y) end "
+                                            "if p.y - r < square.bottom and v.y < 0 or "
+                                            "p.y + r > square.top and v.y > 0 then "
+                                            "turned = vec(turned.x, -turned.y) end "
+                                            "if turned ~= v then "
+                                            "c.position, c.velocity = old, turned end")
+                           << "";
+    // Who asks whether the rim has crossed the wall in this step does not ask again.
+    QTest::newRow("the second from the velocity before")
+        << "L42T2"
+        << program(none, "if old.x - r >= square.left and p.x - r < square.left or "
+                         "old.x + r <= square.right and p.x + r > square.right then "
+                         "c.velocity = vec(-v.x, v.y) end "
+                         "if old.y - r >= square.bottom and p.y - r < square.bottom or "
+                         "old.y + r <= square.top and p.y + r > square.top then "
+                         "c.velocity = vec(v.x, -v.y) end")
+        << "In a corner only one part of the velocity of circle 1 turns round";
+    // Half of the floor and of the ceiling lets it through.
+    QTest::newRow("a wall that asks for the other place")
+        << "L42T2"
+        << program(none, "local turned = v "
+                         "if p.x - r < square.left and v.x < 0 or "
+                         "p.x + r > square.right and v.x > 0 then "
+                         "turned = vec(-turned.x, turned.y) end "
+                         "if (p.y - r < square.bottom or p.y + r > square.top) and "
+                         "p.x * v.y > 0 then turned = vec(turned.x, -turned.y) end "
+                         "if turned ~= v then c.position, c.velocity = old, turned end")
+        << "";
+    QTest::newRow("no ceiling under twice the gravity")
+        << "L42T3"
+        << program("2 * gravity", "local turned = v "
+                                  "if p.x - r < square.left and v.x < 0 or "
+                                  "p.x + r > square.right and v.x > 0 then "
+                                  "turned = vec(-turned.x, turned.y) end "
+                                  "if p.y - r < square.bottom and v.y < 0 then "
+                                  "turned = vec(turned.x, -turned.y) end "
+                                  "if turned ~= v then c.position, c.velocity = old, turned end")
+        << "Not every wall holds circle 1: ceiling";
+}
+
+void TestWallCorners::finding()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, source);
+    QFETCH(QString, headline);
+    const LawBench bench(task(step));
+    const MeasuredLaws own(&source, bench.ground);
+    const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
+    QStringList headlines;
+    for (const LawDeviation &deviation : found)
+        headlines.append(deviation.message.section(QLatin1Char('\n'), 0, 0));
+    QCOMPARE(headlines, headline.isEmpty() ? QStringList() : QStringList(headline));
+}
+
+QTEST_GUILESS_MAIN(TestWallCorners)
+#include "test_wall_corners.moc"
