@@ -104,6 +104,14 @@ void TestConditions::whatIsAlwaysSoHasNoCondition_data()
                 << text(step) << program(text(step), {}, form) << QStringList();
     }
     for (const std::size_t form : {0U, 1U}) {
+        // What drag makes of a throw before it arrives is no fault of the hit.
+        QTest::addRow("drag in x, form %zu", form)
+            << text("L42T17")
+            << program(text("L42T17"),
+                       {.move = "true then c.velocity = vec(c.velocity.x * 0.99, c.velocity.y) end "
+                                "if true"},
+                       form)
+            << QStringList(text("Something slows both circles down on the way"));
         QTest::addRow("e squared at walls, form %zu", form)
             << text("L42T17") << program(text("L42T17"), {.back = "restitution ^ 2"}, form)
             << QStringList(text("At the walls e acts on both circles twice"));

@@ -62,11 +62,10 @@ LawDeviation lateRestitution(const MeasuredPair &own)
 
 namespace {
 
-/// What a hit made, in units of the speed with which they came nearer: how a slow one differs
+/// Velocities after a hit in units of the speed with which they came nearer: how a slow one differs
 /// is small beside 1 m/s.
-PairVelocities inUnits(const PairHit &hit)
+PairVelocities inUnits(const PairHit &hit, const PairVelocities &left)
 {
-    const PairVelocities left = hit.leftParts();
     const double unit = 1.0 / hit.meeting.closing();
     return {unit * left.along1, unit * left.across1, unit * left.along2, unit * left.across2};
 }
@@ -76,9 +75,12 @@ PairVelocities inUnits(const PairHit &hit)
 std::optional<LawDeviation> slowDeviation(const MeasuredPair &own, const MeasuredPair &right)
 {
     if (!own.slow || !right.slow || !own.slow->isMet() || !own.slow->isAligned()
-        || !right.slow->isMet() || isSameAnswer(inUnits(*own.slow), inUnits(*right.slow)))
+        || !right.slow->isMet())
         return std::nullopt;
     const PairHit &hit = *own.slow;
+    if (isSameAnswer(inUnits(hit, hit.leftParts()),
+                     inUnits(hit, rightFor(hit.cameParts(), *right.slow))))
+        return std::nullopt;
     const double closing = own.equals.front().meeting.closing();
     return responseDeviation(
         ResponseText::tr("Circles that meet slowly are answered in another way"),
