@@ -22,6 +22,7 @@ namespace cradle {
 namespace {
 
 constexpr int cardWidth = 320; ///< px, at the usual size of texts
+constexpr int rise = 2;        ///< px that letters may need beyond their line
 constexpr int gap = 12;        ///< px between card and part
 constexpr float shade = 0.55F; ///< of what is not told of
 
@@ -46,6 +47,8 @@ Tour::Tour(QWidget *window, std::vector<Stop> stops)
     setKind(m_skip, "link");
     m_next->setDefault(true);
     m_title->setWordWrap(true);
+    // Letters of a font that stands in, such as Arabic ones, may rise above the lines of the own.
+    m_title->setContentsMargins(0, rise, 0, rise);
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     auto *buttons = new QHBoxLayout;
@@ -53,8 +56,8 @@ Tour::Tour(QWidget *window, std::vector<Stop> stops)
     buttons->addStretch(1);
     buttons->addWidget(m_next);
     auto *column = new QVBoxLayout(m_card);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(8);
+    column->setContentsMargins(16, 12 - rise, 16, 12);
+    column->setSpacing(8 - rise);
     column->addWidget(m_title);
     column->addWidget(m_text);
     column->addLayout(buttons);
