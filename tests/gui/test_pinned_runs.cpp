@@ -7,6 +7,7 @@
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/pin_legend.h"
+#include "views/theme.h"
 
 #include "model/world/measurements.h"
 
@@ -25,6 +26,7 @@ private slots:
     void pinnedCurvesKeepTheRecordedNumbers();
     void legendTellsWhatDiffers_data();
     void legendTellsWhatDiffers();
+    void legendHasRoomForLargeTexts();
     void programsDiffer();
     void noMoreThanThree();
     void pinsAreRemovedFromTheMenu();
@@ -142,6 +144,22 @@ void TestPinnedRuns::legendTellsWhatDiffers()
     QCOMPARE(m_momentum->legend().lines().front().text, told);
     QVERIFY(m_momentum->legend().isVisible());
     QCOMPARE(m_momentum->legend().accessibleName(), told);
+}
+
+void TestPinnedRuns::legendHasRoomForLargeTexts()
+{
+    m_open->window.runDesk().pinRun();
+    QVERIFY(m_momentum->legend().isVisibleTo(m_momentum));
+    setTextScale(2.0);
+    applyTheme(ThemeChoice::Light);
+    QFont small = m_momentum->legend().font();
+    small.setPixelSize(scaledByText(11));
+    const int line = QFontMetrics(small).height();
+    const auto enlarged = [&] { return m_momentum->legend().height() >= line; };
+    const bool isEnlarged = QTest::qWaitFor(enlarged);
+    setTextScale(1.0);
+    applyTheme(ThemeChoice::Light);
+    QVERIFY(isEnlarged);
 }
 
 void TestPinnedRuns::programsDiffer()

@@ -16,11 +16,16 @@ namespace cradle {
 
 namespace {
 
-constexpr int lineHeight = 15;  ///< px
+constexpr int linePixels = 15;  ///< at the usual size of texts, as textPixels
 constexpr double indent = 14.0; ///< px, as the heading's
 constexpr double swatch = 22.0; ///< px
 constexpr double textGap = 6.0; ///< px
 constexpr int textPixels = 11;
+
+int lineHeight()
+{
+    return scaledByText(linePixels);
+}
 
 } // namespace
 
@@ -47,15 +52,17 @@ void PinLegend::setLines(const std::vector<Line> &lines)
 
 QSize PinLegend::sizeHint() const
 {
-    return {200, lineHeight * static_cast<int>(m_lines.size())};
+    return {200, lineHeight() * static_cast<int>(m_lines.size())};
 }
 
 bool PinLegend::event(QEvent *event)
 {
+    if (event->type() == QEvent::FontChange)
+        updateGeometry();
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     const auto *help = static_cast<QHelpEvent *>(event);
-    const auto line = static_cast<std::size_t>(std::max(0, help->pos().y() / lineHeight));
+    const auto line = static_cast<std::size_t>(std::max(0, help->pos().y() / lineHeight()));
     if (line < m_lines.size())
         QToolTip::showText(help->globalPos(), m_lines[line].details, this);
     return true;
@@ -76,14 +83,14 @@ void PinLegend::paint(QPainter &painter, const QRectF &rect) const
     const double left = rect.left() + indent + swatch + textGap;
     double top = rect.top();
     for (const Line &line : m_lines) {
-        const double middle = std::round(top + 0.5 * lineHeight) + 0.5;
+        const double middle = std::round(top + 0.5 * lineHeight()) + 0.5;
         painter.setPen(QPen(theme().mutedText, 1.5, line.dash, Qt::FlatCap));
         painter.drawLine(QPointF(rect.left() + indent, middle),
                          QPointF(rect.left() + indent + swatch, middle));
         painter.setPen(theme().mutedText);
         painter.drawText(QPointF(left, middle + std::round(0.5 * metrics.capHeight())),
                          metrics.elidedText(line.text, Qt::ElideRight, rect.right() - left - 8.0));
-        top += lineHeight;
+        top += lineHeight();
     }
 }
 
