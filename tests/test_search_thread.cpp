@@ -185,7 +185,7 @@ void TestSearchThread::whoIsDestroyedEndsIt()
         slow.may.release(1000);
     }
     const qint64 steps = slow.steps;
-    QTest::qWait(0);
+    QCoreApplication::processEvents();
     QCOMPARE(slow.steps.load(), steps);
     QVERIFY(slow.wasLet);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/gui/chart_scenes.h"
+#include "tests/gui/settled.h"
 #include "tests/showing_program.h"
 #include "views/console_view.h"
 
@@ -36,7 +37,7 @@ struct Console {
         view.resize(344, 240);
         view.show();
         (void)QTest::qWaitForWindowExposed(&view);
-        QTest::qWait(20);
+        settle();
     }
 
     [[nodiscard]] int rows() const { return list->model()->rowCount(); }

@@ -133,7 +133,7 @@ public:
         const QPointer<QLineEdit> watched(line);
         QTest::keyClick(line, Qt::Key_Return);
         QTRY_VERIFY(!watched);
-        QTest::qWait(20); // the edit follows
+        QCoreApplication::processEvents(); // the edit follows
     }
     /// Does \p act to the next dialog of that class as soon as it is there, and again a little
     /// later as long as it answers false.
@@ -172,10 +172,13 @@ public:
             return !dialog->isVisible();
         });
     }
-    /// Presses the button of the next message box that is called so.
-    static void answerQuestion(const QString &name)
+    /// Presses the button of the next message box that is called so. What it returns becomes true
+    /// then.
+    static std::shared_ptr<const bool> answerQuestion(const QString &name)
     {
-        inDialog<QMessageBox>([name](QMessageBox *box) {
+        auto answered = std::make_shared<bool>(false);
+        inDialog<QMessageBox>([name, answered](QMessageBox *box) {
+            *answered = true;
             for (QAbstractButton *each : box->buttons()) {
                 if (each->text().remove(QLatin1Char('&')) == name) {
                     each->click();
@@ -186,6 +189,7 @@ public:
             QTest::qFail(qPrintable(name), __FILE__, __LINE__);
             return true;
         });
+        return answered;
     }
     void undo() { QTest::keyClick(focus(), Qt::Key_Z, Qt::ControlModifier); }
     void redo() { QTest::keySequence(focus(), QKeySequence(QKeySequence::Redo)); }
@@ -210,7 +214,7 @@ inline void retype(CodeEditor &editor, const QString &program)
     editor.selectAll();
     QTest::keyClick(area, Qt::Key_Delete);
     area->insert(program);
-    QTest::qWait(50); // the editor tells of an edit when it is through with it
+    QCoreApplication::processEvents(); // the editor tells of an edit when it is through with it
 }
 
 /// Begins a lab of that title by the menu.

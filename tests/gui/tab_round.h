@@ -41,7 +41,7 @@ inline QStringList missedByTab(QWidget &window)
     std::erase_if(stops, [](const QWidget *stop) { return isBesideOne(*stop); });
     if (stops.empty())
         return {QStringLiteral("nothing to reach")};
-    QTest::qWait(20); // what opens may still give the focus to something
+    QCoreApplication::processEvents(); // what opens may still give the focus to something
     stops.front()->setFocus(Qt::TabFocusReason);
     QStringList missed;
     QSet<const QWidget *> met;

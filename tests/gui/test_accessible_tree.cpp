@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
 #include "views/announcer.h"
 #include "views/charts/chart_plot.h"
@@ -36,7 +37,7 @@ void TestAccessibleTree::sceneTellsItsCircles()
     OpenWindow open(m_folder);
     open.bench.openTask(QStringLiteral("L42T11"));
     open.bench.setMode(Mode::Explore);
-    QTest::qWait(50);
+    calm(open.window);
     QAccessibleInterface *scene = QAccessible::queryAccessibleInterface(&open.window.scene());
     QVERIFY(scene);
     QCOMPARE(scene->role(), QAccessible::Canvas);
@@ -135,7 +136,7 @@ void TestAccessibleTree::chartsTellTheirCurves()
     open.bench.openTask(QStringLiteral("L42T11"));
     open.bench.setMode(Mode::Explore);
     open.simulation().goTo(30);
-    QTest::qWait(200);
+    calm(open.window);
     int charts = 0;
     for (QWidget *widget : open.window.findChildren<QWidget *>()) {
         if (!widget->isVisible() || !widget->inherits("cradle::ChartPlot"))

@@ -41,7 +41,7 @@ void TestAuthorDifferences::mistakeIsEditedAsAWholeProgram()
     // Blanks that the difference does not keep are not taken away while somebody types.
     auto *area = editor.findChild<QsciScintilla *>();
     area->insertAt(QStringLiteral("-- \n"), 1, 0);
-    QTest::qWait(50);
+    QCoreApplication::processEvents();
     QVERIFY(editor.text().contains(QStringLiteral("ball\n-- \n")));
     area->insertAt(QStringLiteral("-- more\n"), area->lines() - 1, 0);
     QTRY_VERIFY(textOf(author.files(), diff).contains(QStringLiteral("+-- more\n")));

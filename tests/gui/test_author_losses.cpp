@@ -286,7 +286,7 @@ void TestAuthorLosses::copyOfACheckInLuaHasAProgramOfItsOwn()
     CodeEditor &editor = author.window.checksTab().scriptEditor();
     QCOMPARE(editor.text(), original);
     QTest::keyClicks(editor.findChild<QsciScintilla *>(), QStringLiteral("-- mine "));
-    QTest::qWait(50); // the editor tells of an edit when it is through with it
+    QCoreApplication::processEvents(); // the editor tells of an edit when it is through with it
     QCOMPARE(textOf(author.files(), QStringLiteral("BALL3/checks/half-height.lua")), original);
     QVERIFY(textOf(author.files(), QStringLiteral("BALL3/checks/half-2.lua"))
                 .contains(QStringLiteral("-- mine")));

@@ -13,6 +13,8 @@
 
 #include <Qsci/qsciscintilla.h>
 
+#include <QSignalSpy>
+
 using namespace cradle;
 using namespace cradle::windows;
 
@@ -137,8 +139,9 @@ void TestAuthorWindow::stepsAreAddedRenamedMovedAndRemoved()
     beginLab(author, QStringLiteral("Steps"));
     const QString first = titles(author).front();
     auto *list = author.find<QListWidget>("authorSteps");
+    QSignalSpy read(&author.document(), &AuthorDocument::labRead);
     author.click(QStringLiteral("Add a step"));
-    QTest::qWait(600); // the lab is read meanwhile, which takes nothing from who is typing
+    QTRY_VERIFY(!read.isEmpty()); // which takes nothing from who is typing
     auto *field = list->viewport()->findChild<QLineEdit *>();
     QVERIFY(field);
     QCOMPARE(field->selectedText(), QStringLiteral("New step"));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/calm.h"
 #include "tests/gui/console_fixture.h"
 #include "views/error_line.h"
 #include "views/values_table.h"
@@ -113,7 +114,7 @@ void TestConsoleError::tabsFit()
     pane.markTab(console, true);
     pane.resize(344, 276);
     pane.show();
-    QTest::qWait(40);
+    calm(pane);
     pane.tabs().setTabText(1, QStringLiteral("Hits 12345"));
     const QTabBar *bar = pane.tabs().tabBar();
     QVERIFY2(bar->tabRect(3).right() <= 344, qPrintable(QString::number(bar->tabRect(3).right())));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cpu_timer.h"
 #include "tests/gui/console_fixture.h"
+#include "tests/gui/settled.h"
 #include "views/console_model.h"
 
 #include <QClipboard>
@@ -173,7 +174,7 @@ void TestConsoleView::rowsFollowTheNotesThatAreKept()
     const auto most = static_cast<int>(ProgramNotes::mostLines);
     for (int i = 0; i < 12; ++i) {
         run(console.simulation, 1);
-        QTest::qWait(40); // longer than the views hold back
+        settle();
         QCOMPARE(console.rows(), std::min(most, (i + 1) * perStep));
         QCOMPARE(console.text(0), notes.lines().front().text);
         QCOMPARE(console.text(console.rows() - 1), notes.lines().back().text);

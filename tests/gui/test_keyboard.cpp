@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
@@ -69,7 +70,7 @@ void TestKeyboard::f6GoesRoundThePanes()
 {
     QFETCH(Mode, mode);
     m_open->bench.setMode(mode);
-    QTest::qWait(50);
+    calm(m_open->window);
     m_open->window.scene().setFocus();
     QList<const QWidget *> met;
     do {
@@ -101,7 +102,7 @@ void TestKeyboard::controlLGoesIntoTheProgram()
 void TestKeyboard::hiddenInspectorChangesNothing()
 {
     m_open->bench.setMode(Mode::Code);
-    QTest::qWait(50);
+    calm(m_open->window);
     const Preset before = m_open->preset();
     auto *table = m_open->window.inspector().findChild<QTableView *>();
     QVERIFY(!isSeen(table));

@@ -96,9 +96,9 @@ void TestLabDrop::droppedLabOpensForItsAuthor()
 
     // What is not saved is asked about first.
     author.window.steps().addStep();
-    OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
+    const auto cancelled = OpenAuthor::answerQuestion(QStringLiteral("Cancel"));
     QVERIFY(dropOn(author.window, folder.filePath(QStringLiteral("ball"))));
-    QTest::qWait(300);
+    QTRY_VERIFY(*cancelled);
     QVERIFY(author.document().isModified());
     QCOMPARE(author.document().title(), QStringLiteral("Falling"));
     OpenAuthor::answerQuestion(QStringLiteral("Discard"));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/open_author.h"
 #include "tests/gui/open_window.h"
 #include "views/menu.h"
@@ -102,11 +103,11 @@ void TestMenus::lettersAreUnderlinedOnce()
     open.window.scene().setFocus();
     for (const Mode mode : {Mode::Explore, Mode::Code}) {
         open.bench.setMode(mode);
-        QTest::qWait(50);
+        calm(open.window);
         compareLetters(open.window);
     }
     open.window.stepDesk().focusCode(); // the menu Edit names other things
-    QTest::qWait(50);
+    calm(open.window);
     compareLetters(open.window);
 }
 

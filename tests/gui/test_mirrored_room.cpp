@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/drawn_texts.h"
 #include "tests/gui/open_window.h"
 #include "views/action_button.h"
@@ -63,7 +64,7 @@ void TestMirroredRoom::speak(const QString &language)
     setLanguage(language);
     QCoreApplication::processEvents();
     QGuiApplication::setLayoutDirection(QLocale(language).textDirection());
-    QTest::qWait(50);
+    QCoreApplication::processEvents();
 }
 
 void TestMirroredRoom::open(Mode mode)
@@ -72,9 +73,9 @@ void TestMirroredRoom::open(Mode mode)
     m_open->bench.openTask(QStringLiteral("L42T11"));
     m_open->bench.setMode(mode);
     m_open->window.resize(1440, 900);
-    QTest::qWait(50);
+    calm(m_open->window);
     m_open->window.room().resetLayout();
-    QTest::qWait(150);
+    calm(m_open->window);
 }
 
 void TestMirroredRoom::panesAreMirrored_data()
@@ -124,7 +125,7 @@ void TestMirroredRoom::timeGoesToTheRight()
     QFETCH(QString, language);
     open(Mode::Explore);
     speak(language);
-    QTest::qWait(150);
+    calm(m_open->window);
     const auto *bar = m_open->window.findChild<TransportBar *>();
     const QList<ActionButton *> buttons = bar->findChildren<ActionButton *>();
     QCOMPARE(buttons.size(), 7); // Restart, Step back, Run, Step, Previous hit, Next hit; Check
@@ -152,7 +153,7 @@ void TestMirroredRoom::languageTurnsTheWindow()
     open(Mode::Explore);
     QVERIFY(middle("task") < sceneMiddle());
     speak(QStringLiteral("ar"));
-    QTest::qWait(150);
+    calm(m_open->window);
     QVERIFY(middle("task") > sceneMiddle());
 }
 

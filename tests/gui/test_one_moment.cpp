@@ -5,6 +5,7 @@
 #include "tests/gui/chart_reading.h"
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"
+#include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
@@ -32,7 +33,6 @@ private slots:
     void runningOnMovesAll();
 
 private:
-    void settle() { QTest::qWait(100); } ///< longer than the views hold back
     void verifyAllShow(qint64 index);
     [[nodiscard]] bool hasCursor(const ChartPane &chart, double time);
     [[nodiscard]] Timeline *timeline() { return m_open->window.findChild<Timeline *>(); }

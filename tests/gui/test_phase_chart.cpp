@@ -4,6 +4,7 @@
 #include "tests/gui/chart_reading.h"
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"
+#include "tests/gui/settled.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
 #include "views/charts/phase_plot.h"
@@ -43,7 +44,6 @@ private slots:
     void keysTellTheMomentAndLetItBeHeard();
 
 private:
-    void settle() { QTest::qWait(80); } ///< longer than the views hold back
     [[nodiscard]] Simulation &simulation() { return m_open->simulation(); }
     [[nodiscard]] const PhasePlot &plot() const { return m_phase->plot(); }
     [[nodiscard]] PhasePlot *widget() { return m_phase->findChild<PhasePlot *>(); }

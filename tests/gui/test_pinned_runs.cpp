@@ -4,6 +4,7 @@
 #include "tests/gui/chart_reading.h"
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"
+#include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/pin_legend.h"
@@ -40,7 +41,6 @@ private slots:
     void sceneOffersTheBranch();
 
 private:
-    void settle() { QTest::qWait(80); } ///< longer than the views hold back
     [[nodiscard]] Simulation &simulation() { return m_open->simulation(); }
     [[nodiscard]] PinnedRuns &pins() { return m_open->window.runDesk().pins(); }
     void edit(const Preset &preset)

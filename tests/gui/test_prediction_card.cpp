@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/calm.h"
 #include "tests/gui/open_task_pane.h"
 #include "views/markdown_view.h"
 #include "views/task_pane/instructions_pane.h"
@@ -234,7 +235,7 @@ void TestPredictionCard::comesInSightWhenItIsRevealed()
     // What was known before does not pull the text away.
     m_open->pane.showTask(m_task, 0);
     m_open->pane.setGuess({.answer = 1, .revealed = true});
-    QTest::qWait(50);
+    calm(m_open->pane);
     QCOMPARE(scroll->verticalScrollBar()->value(), 0);
 }
 

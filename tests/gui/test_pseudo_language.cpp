@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/pseudo_language.h"
 #include "views/task_pane/instructions_pane.h"
@@ -54,7 +55,7 @@ void TestPseudoLanguage::everyTextCanBeTranslated()
     open.bench.openTask(QStringLiteral("L42T11"));
     open.bench.setMode(mode);
     open.window.resize(1440, 900);
-    QTest::qWait(100);
+    calm(open.window);
     QStringList plain;
     const auto look = [&](const QString &text) {
         if (hasWord(text) && !text.contains(QLatin1Char('[')))

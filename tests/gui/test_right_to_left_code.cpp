@@ -34,7 +34,7 @@ private:
     /// Where the last letter of the first line ends, px.
     [[nodiscard]] long endOfLine()
     {
-        QTest::qWait(20); // marks follow a key
+        QCoreApplication::processEvents(); // marks follow a key
         const long at = area().SendScintilla(QsciScintilla::SCI_GETLINEENDPOSITION, 0UL);
         return area().SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, at);
     }
@@ -112,10 +112,10 @@ void TestRightToLeftCode::undoTakesWordsBack()
     m_editor->setText(QStringLiteral("x = 1"));
     QGuiApplication::clipboard()->setText(QStringLiteral("-- مرة\n"));
     area().paste();
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), QStringLiteral("-- مرة\nx = 1"));
     m_editor->undo();
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), QStringLiteral("x = 1"));
     QVERIFY(!m_editor->canUndo());
 }
@@ -127,10 +127,10 @@ void TestRightToLeftCode::wordsPastedBehindOthersGoBackAtOnce()
     area().SendScintilla(QsciScintilla::SCI_DOCUMENTEND);
     QGuiApplication::clipboard()->setText(QStringLiteral("واحدة"));
     QTest::keyClick(&area(), Qt::Key_V, Qt::ControlModifier);
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), words + QStringLiteral("واحدة"));
     m_editor->undo();
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), words);
     QVERIFY(!m_editor->canUndo());
 }
@@ -153,13 +153,13 @@ void TestRightToLeftCode::undoTakesTheFirstLetterBackAtOnce()
     const QString words = QStringLiteral("مرة");
     for (const QChar letter : words)
         QTest::sendKeyEvent(QTest::Click, &area(), Qt::Key_unknown, letter, Qt::NoModifier);
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), QStringLiteral("-- ") + words);
     m_editor->undo(); // what followed the first letter
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), QStringLiteral("-- ") + words.left(1));
     m_editor->undo();
-    QTest::qWait(20);
+    QCoreApplication::processEvents();
     QCOMPARE(m_editor->text(), QStringLiteral("-- "));
     QVERIFY(!m_editor->canUndo());
 }
@@ -171,7 +171,7 @@ void TestRightToLeftCode::dashesStandWhereTheyDoBeforeLatin()
     const auto inked = [this](const QString &line) {
         m_editor->setText(line + QLatin1Char('\n'));
         area().SendScintilla(QsciScintilla::SCI_DOCUMENTEND);
-        QTest::qWait(20);
+        QCoreApplication::processEvents();
         const QImage image = area().viewport()->grab().toImage();
         const auto place = [this](long position) {
             return static_cast<int>(

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
 #include "views/charts/values_model.h"
 #include "views/code/code_editor.h"
@@ -95,9 +96,9 @@ void TestRoom::open(Mode mode)
     m_open->bench.setMode(mode);
     m_open->window.notice().clearNotice();
     m_open->window.resize(size);
-    QTest::qWait(50);
+    calm(m_open->window);
     m_open->window.room().resetLayout();
-    QTest::qWait(150);
+    calm(m_open->window);
     QCOMPARE(m_open->window.size(), size);
 }
 
@@ -125,7 +126,7 @@ void TestRoom::instructionsHaveRoomAfterTheCheck()
     QFETCH(int, textLines);
     open(Mode::Code);
     m_open->check();
-    QTest::qWait(100);
+    calm(m_open->window);
     const auto *pane = m_open->window.findChild<InstructionsPane *>();
     const double line = lineHeight(*pane->findChild<MarkdownView *>());
     QVERIFY(line > 10.0);
@@ -141,7 +142,7 @@ void TestRoom::valuesNeedNoScrolling()
     for (const Mode mode : {Mode::Code, Mode::Explore}) {
         open(mode);
         dock("values")->raise();
-        QTest::qWait(100);
+        calm(m_open->window);
         const auto *table = m_open->window.findChild<ValuesPane *>()->findChild<QTableView *>();
         const QHeaderView &header = *table->horizontalHeader();
         for (int column = 0; column <= ValuesModel::Kinetic; ++column)
@@ -158,10 +159,10 @@ void TestRoom::untouchedPanesFollowTheWindow()
     m_open = std::make_unique<OpenWindow>(m_folder);
     m_open->bench.setMode(Mode::Code);
     m_open->window.resize(1280, 720);
-    QTest::qWait(100);
+    calm(m_open->window);
     const int narrow = dock("task")->width();
     m_open->window.resize(1920, 1080);
-    QTest::qWait(100);
+    calm(m_open->window);
     QVERIFY2(dock("task")->width() > narrow + 60, qPrintable(QString::number(narrow)));
     QVERIFY(dock("code")->width() > 700);
     m_open->window.close();
@@ -178,7 +179,7 @@ void TestRoom::nothingOfAPassIsCutOff()
     QVERIFY(m_open->bench.document().edit(QStringLiteral("solve"), m_open->solution()));
     m_open->check();
     QVERIFY(m_open->bench.check().report()->passed);
-    QTest::qWait(50);
+    calm(m_open->window);
     const auto *scroll = m_open->window.findChild<ResultPane *>()->findChild<QScrollArea *>();
     QVERIFY(scroll->widget()->width() <= scroll->viewport()->width());
 }

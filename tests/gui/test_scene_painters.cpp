@@ -116,7 +116,7 @@ void TestScenePainters::rendererCanBeChanged()
     Scene scene;
     for (const Renderer renderer : {Renderer::Raster, Renderer::OpenGl, Renderer::Automatic}) {
         scene.view.setRenderer(renderer);
-        QTest::qWait(20);
+        QCoreApplication::processEvents();
         QVERIFY(scene.view.activeRenderer() != Renderer::Automatic);
         QVERIFY(showsSomething(scene.view.grab().toImage()));
     }

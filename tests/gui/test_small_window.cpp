@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
+#include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
 #include "views/charts/sentence_label.h"
 #include "views/values_table.h"
@@ -84,9 +85,9 @@ void TestSmallWindow::open(const QString &language, Mode mode, const QString &st
     m_open->bench.setMode(mode);
     m_open->bench.openTask(step);
     m_open->window.resize(1280, 720);
-    QTest::qWait(50);                    // for layouts
+    calm(m_open->window);
     m_open->window.room().resetLayout(); // as if it had been opened so
-    QTest::qWait(100);                   // longer than the views hold back
+    calm(m_open->window);
     QCOMPARE(m_open->window.size(), QSize(1280, 720));
 }
 
@@ -108,7 +109,7 @@ void TestSmallWindow::valuesAndSentencesAreWhole()
     m_open->simulation().seekNextHit();
     m_open->simulation().seekNextHit(); // on the floor, which takes the most words
     m_open->window.findChild<QDockWidget *>(QStringLiteral("values"))->raise();
-    QTest::qWait(100);
+    calm(m_open->window);
     const auto *values = m_open->window.findChild<ValuesPane *>();
     QVERIFY(values);
     QVERIFY(values->hitSentence().contains(QLatin1Char('(')));
@@ -132,7 +133,7 @@ void TestSmallWindow::circlesAreWhole()
         if (dock->widget() == &m_open->window.inspector())
             dock->raise();
     }
-    QTest::qWait(100);
+    calm(m_open->window);
     const auto *table = m_open->window.inspector().findChild<QTableView *>();
     QVERIFY(table->isVisible());
     QVERIFY(isWhole(*table));
@@ -160,11 +161,11 @@ void TestSmallWindow::chartsGetWhatTheValuesDoNotNeed()
     };
     const int chart = height("momentum");
     m_open->window.resize(1920, 1080);
-    QTest::qWait(100);
+    calm(m_open->window);
     QVERIFY2(height("values") <= 305, qPrintable(QString::number(height("values"))));
     QVERIFY2(height("energy") >= 140, qPrintable(QString::number(height("energy"))));
     m_open->window.resize(1280, 720);
-    QTest::qWait(100);
+    calm(m_open->window);
     QVERIFY(std::abs(height("momentum") - chart) <= 2);
 }
 
@@ -178,10 +179,10 @@ void TestSmallWindow::heightsOfTheStudentStay()
     QTest::mouseClick(&m_open->window, Qt::LeftButton, {},
                       {above.center().x(), above.bottom() + 2});
     m_open->window.resizeDocks({dock("momentum"), dock("inspector")}, {180, 320}, Qt::Vertical);
-    QTest::qWait(50);
+    calm(m_open->window);
     const double part = dock("inspector")->height() / (1.0 * dock("momentum")->height());
     m_open->window.resize(1920, 1080);
-    QTest::qWait(100);
+    calm(m_open->window);
     const double after = dock("inspector")->height() / (1.0 * dock("momentum")->height());
     QVERIFY2(std::abs(after / part - 1.0) < 0.1, qPrintable(QString::number(after / part)));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/run/simulation.h"
 #include "tests/gui/chart_scenes.h"
+#include "tests/gui/settled.h"
 #include "views/charts/speed_histogram.h"
 #include "views/charts/speed_plot.h"
 
@@ -255,7 +256,7 @@ void TestSpeedHistogram::barsAreThoseOfTheLastSecond()
     };
     QCOMPARE(onlyBin(), 1.0);
     run(shown.simulation, 120);
-    QTest::qWait(50);
+    settle();
     QCOMPARE(onlyBin(), 1.0);
     const auto &shares = shown.picture().shares;
     QCOMPARE(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/gui/calm.h"
 #include "tests/gui/open_task_pane.h"
 #include "views/markdown_view.h"
 
@@ -79,7 +80,7 @@ void TestTaskPane::scrollsToTheCurrentStep()
     m_open->pane.setLab(m_open->lab);
     m_open->pane.setProgress({}, 25);
     m_open->button(QStringLiteral("All steps"))->click();
-    QTest::qWait(20);
+    calm(m_open->pane);
     const auto *list = m_open->pane.findChild<QListWidget *>();
     const QRect row = list->visualItemRect(list->item(25));
     QVERIFY(list->viewport()->rect().contains(row));
