@@ -1,0 +1,18 @@
+function on_load()
+  circle1.velocity = vec(2, 0)
+end
+
+function on_update(timestep)
+  local old1 = circle1.position
+  circle1.position = circle1.position + circle1.velocity * timestep
+
+  -- walls for circle 1
+  if circle1.position.x + circle1.radius > square.right or circle1.position.x - circle1.radius < square.left then
+    circle1.position = vec(old1.x, circle1.position.y)
+    circle1.velocity = vec(-circle1.velocity.x, circle1.velocity.y)
+  end
+  if circle1.position.y + circle1.radius > square.top or circle1.position.y - circle1.radius < square.bottom then
+    circle1.position = vec(circle1.position.x, old1.y)
+    circle1.velocity = vec(circle1.velocity.x, -circle1.velocity.y)
+  end
+end

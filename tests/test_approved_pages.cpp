@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/approved_text.h"
+#include "tests/class_of_three.h"
+#include "tests/reports.h"
+
+#include "tasks/authoring/mutations.h"
+#include "tasks/grading/class_results.h"
+#include "tasks/proof/lab_verifier.h"
+#include "tasks/proof/verified_text.h"
+#include "tasks/report/report_formats.h"
+
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace cradle;
+using namespace cradle::classes;
+
+/// Whole pages and files for teachers and graders, as somebody has read and approved them:
+/// tests/approved/pages.
+class TestApprovedPages : public QObject
+{
+    Q_OBJECT
+private slots:
+    void classIsAsApproved();
+    void reportsOfEveryFormatAreAsApproved_data();
+    void reportsOfEveryFormatAreAsApproved();
+    void proofIsAsApproved();
+    void suggestionsAreAsApproved();
+};
+
+namespace {
+
+void compare(const QString &page, const QString &now)
+{
+    const QString difference = approved::compare(QStringLiteral("pages/") + page, now);
+    QVERIFY2(difference.isEmpty(), qPrintable(page + QStringLiteral(": ") + difference));
+}
+
+} // namespace
+
+void TestApprovedPages::classIsAsApproved()
+{
+    const QTemporaryDir folder;
+    const Lab lab = smallLab();
+    QVERIFY(keep(folder.path(), {mallory(lab), ada(lab), bob(lab)}, lab));
+    QVERIFY(!writeClassResults(folder.path(), lab, facts()));
+    QStringList names;
+    QDirIterator files(folder.path(), QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext())
+        names.append(QDir(folder.path()).relativeFilePath(files.next()));
+    QVERIFY(names.size() > 6);
+    for (const QString &name : names) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        compare(QStringLiteral("class/") + name, QString::fromUtf8(file.readAll()));
+        if (QTest::currentTestFailed())
+            return;
+    }
+}
+
+void TestApprovedPages::reportsOfEveryFormatAreAsApproved_data()
+{
+    QTest::addColumn<QString>("format");
+    for (const QString &name : reportFormatNames())
+        QTest::newRow(qPrintable(name)) << name;
+}
+
+void TestApprovedPages::reportsOfEveryFormatAreAsApproved()
+{
+    QFETCH(QString, format);
+    QString all;
+    for (const CheckReport &report :
+         {reports::passed(), reports::remarked(), reports::failed(), reports::diagnosed(),
+          reports::unloadable(), reports::stopped(), reports::odd()})
+        all += QString::fromUtf8(
+                   writeReport(report, *reportFormatFromName(format), QStringLiteral("lab.lua")))
+               + QLatin1Char('\n');
+    compare(QStringLiteral("reports.") + format, all);
+}
+
+void TestApprovedPages::proofIsAsApproved()
+{
+    const Lab lab = *readLab(QLatin1String(bouncingBallLab));
+    QString all;
+    for (const VerifiedTask &task : verifyLab(lab, {}, {}, 2)) {
+        all += describeVerified(task);
+        for (qsizetype i = 0; i < task.checks.size(); ++i)
+            all += wrongEnough(task, i) + QLatin1Char('\n');
+    }
+    compare(QStringLiteral("proof.txt"), all + describeTried(lab));
+}
+
+void TestApprovedPages::suggestionsAreAsApproved()
+{
+    const Lab lab = *readLab(QLatin1String(bouncingBallLab));
+    QString all;
+    for (const Task &task : lab.tasks) {
+        for (const Mutant &mutant : mutantsOf(task.solution))
+            all += QStringLiteral("%1:%2: %3 | %4\n  %5\n")
+                       .arg(task.id)
+                       .arg(mutant.line)
+                       .arg(mutant.name, mutant.change, mutant.message);
+    }
+    const Task &task = lab.tasks.front();
+    const Suggestions suggestions = suggestMistakes(lab, task);
+    for (const Suggestion &each : suggestions.list)
+        all += QStringLiteral("%1 %2 %3 %4\n")
+                   .arg(int(each.kind))
+                   .arg(each.mutant.name, each.check, each.finding);
+    compare(QStringLiteral("suggestions.txt"), all + suggestions.alone.join(QLatin1Char(' ')));
+}
+
+QTEST_GUILESS_MAIN(TestApprovedPages)
+#include "test_approved_pages.moc"

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/approved_text.h"
+#include "tests/lab_test.h"
+#include "tests/told_report.h"
+
+#include "tasks/text/unified_diff.h"
+
+#include <QRegularExpression>
+
+#include <map>
+
+using namespace cradle;
+
+/// What students are told, word by word: programs as they write them, and the reports of these.
+/// tests/approved/STEP has whole programs (NAME.lua), what is other in a wrong one
+/// (NAME.FAULT.diff, below what is wrong in it) and scenes that are handed in alone (NAME.json);
+/// STEP.txt has the reports. Where a line "N = …" gives values, the program has each in turn in
+/// place of N: just not wrong enough for something to be told, and just wrong enough.
+class TestApprovedReports : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void reportIsAsApproved_data();
+    void reportIsAsApproved();
+    void everyReportHasAProgram();
+    void cleanupTestCase();
+
+private:
+    struct Step {
+        const Lab *lab = nullptr;
+        const Task *task = nullptr;
+        std::map<QString, QString> reports{}; ///< by the name of what was handed in
+        QStringList handedIn{};
+    };
+
+    Lab m_labs[2];
+    std::map<QString, Step> m_steps;
+};
+
+namespace {
+
+const QString mark = QStringLiteral("== ");
+
+std::map<QString, QString> sections(const QString &text)
+{
+    std::map<QString, QString> all;
+    for (const QString &section : text.split(QLatin1Char('\n') + mark, Qt::SkipEmptyParts)) {
+        const QString whole = section.startsWith(mark) ? section.mid(mark.size()) : section;
+        const auto end = whole.indexOf(QLatin1Char('\n'));
+        all[whole.left(end)] = whole.mid(end + 1).trimmed() + QLatin1Char('\n');
+    }
+    return all;
+}
+
+/// What is wrong in a difference, and its hunks.
+std::pair<QString, QString> readDiff(const QString &path)
+{
+    const QString text = approved::read(path);
+    const auto hunks =
+        text.startsWith(QLatin1String("@@")) ? 0 : text.indexOf(QLatin1String("\n@@")) + 1;
+    return {text.left(hunks), text.mid(hunks)};
+}
+
+/// The values of N; one empty where there are none.
+QStringList valuesOf(const QString &path)
+{
+    static const QRegularExpression given(QStringLiteral("^N = (.+)$"),
+                                          QRegularExpression::MultilineOption);
+    const auto match = given.match(readDiff(path).first);
+    return match.hasMatch() ? match.captured(1).split(QLatin1Char(' ')) : QStringList{QString()};
+}
+
+/// \return empty if the difference does not fit its program
+QString readProgram(const QString &step, const QString &file, const QString &value)
+{
+    const QString folder = step + QLatin1Char('/');
+    if (file.endsWith(QLatin1String(".lua")))
+        return approved::read(folder + file);
+    const QString base = file.section(QLatin1Char('.'), 0, 0) + QStringLiteral(".lua");
+    const auto program = withDiff(approved::read(folder + base), readDiff(folder + file).second);
+    if (!program || value.isEmpty())
+        return program ? *program : QString();
+    return QString(*program).replace(
+        QRegularExpression(QStringLiteral("\\bN\\b")),
+        value.startsWith(QLatin1Char('-')) ? QLatin1Char('(') + value + QLatin1Char(')') : value);
+}
+
+/// What it is called in the reports.
+QString nameOf(const QString &file, const QString &value)
+{
+    return value.isEmpty() ? file : file + QStringLiteral(" N = ") + value;
+}
+
+#if defined(CRADLE_SANITIZED)
+constexpr qsizetype every = 4; ///< of so many programs one: sanitizers take seven times as long
+#else
+constexpr qsizetype every = 1;
+#endif
+
+} // namespace
+
+void TestApprovedReports::reportIsAsApproved_data()
+{
+    m_labs[0] = *readLab(QLatin1String(shippedLab));
+    m_labs[1] = *readLab(QLatin1String(bouncingBallLab));
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("value");
+    for (const Lab &lab : m_labs) {
+        for (const Task &task : lab.tasks) {
+            Step &step = m_steps[task.id];
+            step = {&lab, &task, sections(approved::read(task.id + QStringLiteral(".txt"))), {}};
+            for (const QString &file :
+                 QDir(approved::path(task.id)).entryList(QDir::Files, QDir::Name)) {
+                for (const QString &value : valuesOf(task.id + QLatin1Char('/') + file)) {
+                    step.handedIn.append(nameOf(file, value));
+                    if (step.handedIn.size() % every != 0)
+                        continue;
+                    QTest::addRow("%s/%s", qPrintable(task.id), qPrintable(nameOf(file, value)))
+                        << task.id << file << value;
+                }
+            }
+        }
+    }
+}
+
+void TestApprovedReports::reportIsAsApproved()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, file);
+    QFETCH(QString, value);
+    Step &of = m_steps[step];
+    Submission submission(of.task->preset);
+    if (file.endsWith(QLatin1String(".json"))) {
+        const Result<Preset> scene = readPreset(approved::path(step + QLatin1Char('/') + file));
+        QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
+        submission.preset = *scene;
+    } else {
+        submission.script = readProgram(step, file, value);
+        QVERIFY2(!submission.script->isEmpty(), "the difference does not fit its program");
+    }
+    const QString told = toldReport(*judgeTask(*of.lab, *of.task, submission, 1));
+    if (approved::isApproving()) {
+        of.reports[nameOf(file, value)] = told;
+    } else {
+        const QString difference = approved::difference(told, of.reports[nameOf(file, value)]);
+        QVERIFY2(difference.isEmpty(), qPrintable(difference));
+    }
+}
+
+void TestApprovedReports::everyReportHasAProgram()
+{
+    for (auto &[id, step] : m_steps) {
+        for (auto report = step.reports.begin(); report != step.reports.end();) {
+            const bool isThere = step.handedIn.contains(report->first);
+            if (!isThere && !approved::isApproving())
+                QFAIL(qPrintable(report->first));
+            report = isThere ? std::next(report) : step.reports.erase(report);
+        }
+    }
+}
+
+void TestApprovedReports::cleanupTestCase()
+{
+    if (!approved::isApproving())
+        return;
+    for (const auto &[id, step] : m_steps) {
+        QStringList all;
+        for (const auto &[name, report] : step.reports)
+            all.append(mark + name + QLatin1Char('\n') + report);
+        if (!all.isEmpty())
+            approved::write(id + QStringLiteral(".txt"), all.join(QLatin1Char('\n')));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestApprovedReports)
+#include "test_approved_reports.moc"

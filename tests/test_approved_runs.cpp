@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/approved_text.h"
+#include "tests/scenes.h"
+
+#include "model/run/recording.h"
+#include "model/world/measurements.h"
+
+#include <QCryptographicHash>
+
+#include <cstring>
+
+using namespace cradle;
+using namespace cradle::scenes;
+
+/// Every bit of crowds, heaps, chains and what rests, with every hit, in every timing:
+/// tests/approved/runs.txt has their hashes, the same from GCC and Clang, with and without
+/// optimization. A change of the physics changes them on purpose; anything else must not.
+class TestApprovedRuns : public QObject
+{
+    Q_OBJECT
+private slots:
+    void everyBitIsAsApproved_data();
+    void everyBitIsAsApproved();
+    void cleanupTestCase();
+
+private:
+    QMap<QString, QString> m_approved{}; ///< what is told, by the name of the run
+};
+
+namespace {
+
+using Circles = std::vector<PresetCircle>;
+
+Preset made(Circles circles, Timing timing, double gravity, double restitution)
+{
+    Preset preset = scene({}, {WallLaw::Reflect, CircleLaw::Impulse, timing});
+    preset.gravity = {0.0, -gravity};
+    preset.restitution = restitution;
+    preset.circles = std::move(circles);
+    return preset;
+}
+
+Circles crowd(int count, double radius, double speed, qint64 seed, double half = halfWidth)
+{
+    return *makeCircles(
+        {.count = count, .radius = radius, .rmsSpeed = speed, .density = 7.8, .seed = seed}, half);
+}
+
+/// Of every integrator, in turns.
+Circles mixed(Circles circles)
+{
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+        circles[i].integrator = allIntegrators[i % 4];
+        circles[i].body.density = 1.0 + static_cast<double>(i % 5);
+        circles[i].body.radius *= 0.6 + 0.1 * static_cast<double>(i % 4);
+    }
+    return circles;
+}
+
+/// Five in a row that touch, and one that comes.
+Circles cradleOfFive(double gap = 0.0)
+{
+    Circles all{circle({-3.0, 0.0}, {2.0, 0.0})};
+    for (int i = 0; i < 5; ++i)
+        all.push_back(circle({(0.4 + gap) * i, 0.0}));
+    return all;
+}
+
+/// A triangle that touches itself, and a fast one from the left.
+Circles rack()
+{
+    Circles all{circle({-3.5, 0.05}, {6.0, 0.0})};
+    const double rise = std::sqrt(3.0) / 2.0;
+    for (int row = 0; row < 4; ++row) {
+        for (int i = 0; i <= row; ++i)
+            all.push_back(circle({0.41 * rise * row, 0.41 * (i - 0.5 * row)}));
+    }
+    return all;
+}
+
+/// Rows on the floor, those above in the gaps, and a heavy one that falls upon them.
+Circles wall(int rows)
+{
+    Circles all;
+    for (int row = 0; row < rows; ++row) {
+        for (int i = 0; i < 6 - row; ++i)
+            all.push_back(circle({-1.2 + 0.42 * i + 0.21 * row, -3.79 + 0.37 * row}));
+    }
+    all.push_back(circle({-0.1, 3.0}, {0.0, -1.0}, 0.35, Integrator::Verlet, 20.0));
+    return all;
+}
+
+/// A tower that rests, two that come to rest beside it, one in a corner.
+Circles resting()
+{
+    return {circle({0.0, -3.8}), circle({0.0, -3.4}),   circle({0.0, -3.0}),
+            circle({3.8, -3.8}), circle({1.0, -3.795}), circle({-2.0, -3.0}, {1.0, 0.0}),
+            circle({-3.8, -1.0})};
+}
+
+void addNumber(QCryptographicHash &hash, double value)
+{
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    hash.addData(QByteArrayView(bytes, sizeof bytes));
+}
+
+void addVector(QCryptographicHash &hash, Vec2 v)
+{
+    addNumber(hash, v.x);
+    addNumber(hash, v.y);
+}
+
+void addHit(QCryptographicHash &hash, const Hit &hit)
+{
+    addNumber(hash, hit.time);
+    addNumber(hash, hit.a);
+    addNumber(hash, hit.b);
+    for (const Vec2 v : {hit.normal, hit.beforeA, hit.afterA, hit.beforeB, hit.afterB})
+        addVector(hash, v);
+    addNumber(hash, hit.loss);
+}
+
+} // namespace
+
+void TestApprovedRuns::everyBitIsAsApproved_data()
+{
+    QTest::addColumn<Preset>("preset");
+    QTest::addColumn<int>("steps");
+    const auto add = [](const char *name, const Preset &preset, int steps) {
+        QTest::addRow("%s, %s", name, shortName(preset.laws.timing)) << preset << steps;
+    };
+    for (const Timing timing : {Timing::Discrete, Timing::Continuous, Timing::Exact}) {
+        add("thin gas", made(crowd(60, 0.1, 2.0, 3), timing, 0.0, 1.0), 240);
+        add("dense gas", made(crowd(150, 0.14, 1.5, 4), timing, 0.0, 1.0), 60);
+        add("gas that loses", made(crowd(80, 0.12, 3.0, 5), timing, 0.0, 0.6), 240);
+        add("gas that falls", made(crowd(80, 0.12, 2.0, 6), timing, 9.81, 1.0), 180);
+        add("all integrators", made(mixed(crowd(60, 0.2, 2.0, 7)), timing, 9.81, 0.9), 240);
+        add("heap", made(crowd(60, 0.2, 0.5, 8), timing, 9.81, 0.5), 240);
+        add("heap without rebound", made(crowd(40, 0.2, 0.5, 9), timing, 9.81, 0.0), 180);
+        add("cradle", made(cradleOfFive(), timing, 0.0, 1.0), 240);
+        add("cradle with gaps", made(cradleOfFive(0.01), timing, 0.0, 0.9), 240);
+        add("rack", made(rack(), timing, 0.0, 0.95), 240);
+        add("wall", made(wall(4), timing, 9.81, 0.3), 240);
+        add("resting", made(resting(), timing, 9.81, 0.4), 300);
+        add("resting, elastic", made(resting(), timing, 9.81, 1.0), 120);
+        Preset other = made(crowd(30, 0.2, 2.0, 10), timing, 0.0, 1.0);
+        for (const CircleLaw law :
+             {CircleLaw::SwapVelocities, CircleLaw::SwapNormal, CircleLaw::Stop, CircleLaw::None}) {
+            other.laws.circles = law;
+            add(qPrintable(QStringLiteral("law %1").arg(int(law))), other, 90);
+        }
+        other = made(crowd(30, 0.2, 2.0, 11), timing, 9.81, 0.7);
+        other.timestep = 1.0 / 25.0;
+        add("coarse steps", other, 100);
+        other.timestep = 1.0 / 240.0;
+        other.gravity = {3.0, -2.0};
+        add("fine steps, aslant", other, 400);
+        other.laws.walls = WallLaw::None;
+        add("no walls", other, 200);
+    }
+}
+
+void TestApprovedRuns::everyBitIsAsApproved()
+{
+    QFETCH(Preset, preset);
+    QFETCH(int, steps);
+    const auto fault = findFault(preset);
+    QVERIFY2(!fault, fault ? qPrintable(fault->toString()) : "");
+    Run run(preset);
+    Recording recording(256 * 1024);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    std::size_t seen = 0;
+    for (int step = 0; step < steps; ++step) {
+        run.steps(1);
+        addNumber(hash, run.world.time);
+        for (const Circle &c : run.world.circles) {
+            addVector(hash, c.position);
+            addVector(hash, c.velocity);
+        }
+        recording.append(run.world, std::span(run.hits).subspan(seen));
+        for (; seen < run.hits.size(); ++seen)
+            addHit(hash, run.hits[seen]);
+    }
+    for (const Encounter &contact : recording.encounters()) {
+        addNumber(hash, contact.time);
+        addNumber(hash, contact.endTime);
+    }
+    const QString told =
+        QStringLiteral("%1 hits, %2 contacts from step %3, %4")
+            .arg(seen)
+            .arg(recording.droppedEncounters() + qint64(recording.encounters().size()))
+            .arg(recording.first())
+            .arg(QString::fromLatin1(hash.result().toHex().left(32)));
+    const QString name = QString::fromUtf8(QTest::currentDataTag());
+    m_approved[name] = told;
+    if (!approved::isApproving()) {
+        const QString all = approved::read(QStringLiteral("runs.txt"));
+        QVERIFY2(all.contains(name + QStringLiteral(": ") + told + QLatin1Char('\n')),
+                 qPrintable(told));
+    }
+}
+
+void TestApprovedRuns::cleanupTestCase()
+{
+    if (!approved::isApproving())
+        return;
+    QString all;
+    for (auto it = m_approved.cbegin(); it != m_approved.cend(); ++it)
+        all += it.key() + QStringLiteral(": ") + it.value() + QLatin1Char('\n');
+    approved::write(QStringLiteral("runs.txt"), all);
+}
+
+QTEST_APPLESS_MAIN(TestApprovedRuns)
+#include "test_approved_runs.moc"
