@@ -42,6 +42,12 @@ std::vector<LawDeviation> said(const LawBench &step, const QString &program)
           std::pair(Aspect::Contact, contactDeviations(own.pair(), step.right.pair(), step.ground)),
           std::pair(Aspect::Response,
                     responseDeviations(own.pair(), step.right.pair(), step.ground))}) {
+        // As a judge does: how they fly is not always the same.
+        if (aspect != Aspect::Motion && !all.empty() && all.front().isConditional
+            && all.front().aspect == Aspect::Motion) {
+            all.insert(all.end(), found.begin(), found.end());
+            continue;
+        }
         const ConditionedAspect conditions =
             conditioned(aspect, found, own, step.right, step.ground, shown);
         all.insert(all.end(), conditions.deviations.begin(), conditions.deviations.end());
@@ -61,7 +67,8 @@ QString eOf(const QString &step)
 /// Right work for a step, with conditions in front of its parts.
 struct Conditions {
     const char *start = "";
-    const char *move = "true";
+    const char *move = "true"; ///< gravity
+    const char *go = "true";   ///< the way
     const char *walls = "true";
     const char *turned = ""; ///< what is done after a hit at a wall
     const char *back = "";   ///< what a wall gives back, if not what it should
@@ -78,8 +85,8 @@ QString program(const QString &step, const Conditions &c, std::size_t form)
     LawProgram law;
     law.start = text(c.start);
     law.move = text("if %1 then c.velocity = c.velocity + gravity * h end "
-                    "c.position = c.position + c.velocity * h")
-                   .arg(text(c.move));
+                    "if %2 then c.position = c.position + c.velocity * h end")
+                   .arg(text(c.move), text(c.go));
     law.walls = text("local came = c.velocity if %1 then %2 if c.velocity ~= came then %3 end end")
                     .arg(text(c.walls), wallsOf(wallWays[form], "c.radius", back.constData()),
                          text(c.turned));
@@ -111,7 +118,7 @@ void TestConditions::whatIsAlwaysSoHasNoCondition_data()
                        {.move = "true then c.velocity = vec(c.velocity.x * 0.99, c.velocity.y) end "
                                 "if true"},
                        form)
-            << QStringList(text("Something slows both circles down on the way"));
+            << QStringList(text("Something slows both circles down on the way (only in x)"));
         QTest::addRow("e squared at walls, form %zu", form)
             << text("L42T17") << program(text("L42T17"), {.back = "restitution ^ 2"}, form)
             << QStringList(text("At the walls e acts on both circles twice"));
@@ -169,6 +176,11 @@ void TestConditions::conditionIsNamed_data()
     rows("fall from", {"L42T7", "L42T17"},
          "Gravity acts on both circles as it should only from a time between ",
          {.move = "time > 1"});
+    rows("way to the left", {"L42T3", "L42T7", "L42T17"}, "The way of ",
+         {.go = "c.position.x < 0.2"});
+    rows("way until", {"L42T7", "L42T12"},
+         "The way of both circles in a step is v Δt only up to a time between ",
+         {.go = "time < 5"});
     rows("first hit", {"L42T12", "L42T16", "L42T17"}, "A later hit is not answered",
          {.start = "met = false", .hit = "closing > 0 and not met", .met = "met = true"});
     rows("hits above", {"L42T12", "L42T16"},
@@ -200,9 +212,10 @@ void TestConditions::wordsTellWhatWasSeen()
     const auto all = said(bench, program(text("L42T12"), {.hit = "closing > 0 and time < 3"}, 0));
     QCOMPARE(all.size(), std::size_t{1});
     QVERIFY(all.front().isConditional);
-    QVERIFY2(all.front().message.contains(
-                 text("Of 14 that differ only in when and where they come 8 came out right.")),
-             qPrintable(all.front().message));
+    QVERIFY2(
+        all.front().message.contains(text(
+            "Of 14 hits of the two circles, here and there, early and late, 8 came out right.")),
+        qPrintable(all.front().message));
 }
 
 QTEST_GUILESS_MAIN(TestConditions)

@@ -66,8 +66,8 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     };
     row("L42T1", "twice the way", "moved-twice",
         [](OtherForm &f) { edit(f.integrate, "c.velocity * h ", "2 * h * c.velocity "); });
-    row("L42T1", "no time, by components", "The way of circle 1 is not multiplied by the timestep",
-        [](OtherForm &f) {
+    row("L42T1", "no time, by components",
+        "The way of circle 1 is not multiplied by the timestep (only in x)", [](OtherForm &f) {
             f.integrate = lab("c.position = vec(c.position.x + c.velocity.x, c.position.y)");
         });
     row("L42T2", "centre at the wall, mirrored", "centre-for-rim",

@@ -119,6 +119,45 @@ void TestFlightLaw::faultIsNamed_data()
         text("The y of the velocity of both circles is set anew in every step"));
     row("L42T17", "a number for gravity", way, "vec(0, -9.81) * h",
         text("A number stands for gravity in the motion of both circles"));
+    row("L42T4", "another one at three sixtieths", way, "3 * 60 * gravity * h * h",
+        text("How gravity acts on both circles depends on the timestep"));
+    row("L42T4", "wind", way, "(gravity + vec(1, 0)) * h",
+        text("Something besides gravity accelerates both circles"));
+    row("L42T8", "wind where nothing falls", way, "vec(0.3, 0) * h + gravity * h",
+        text("Something besides gravity accelerates both circles"));
+    row("L42T8", "a number where nothing falls", way, "vec(0, -9.81) * h",
+        text("A number stands for gravity in the motion of both circles"));
+    row("L42T4", "gravity to the power of two", way, "gravity * gravity.y * h",
+        text("The acceleration of both circles is not that of gravity"));
+    row("L42T4", "spring", way, "(gravity - 2 * c.position) * h",
+        text("The acceleration of both circles depends on the place"));
+    row("L42T4", "heavy ones fall faster", way, "gravity * h * c.density / 7.8",
+        text("Gravity does not act alike on light and heavy ones (both circles)"));
+    row("L42T4", "a way beside its own", "c.velocity * h + vec(0.001, 0)", fall,
+        text("Every step moves both circles by a fixed way besides v Δt"));
+    row("L42T4", "carried by the wind", "(c.velocity + vec(1, 0)) * h", fall,
+        text("Something besides its own velocity moves both circles"));
+    row("L42T4", "g in the place", "c.velocity * h + gravity * h", fall,
+        text("What gravity adds to the way of both circles goes with Δt, not with Δt²"));
+    row("L42T4", "half a g of a sixtieth in the place", "c.velocity * h + gravity / 7200", fall,
+        text("What gravity adds to the way of both circles does not depend on Δt"));
+    row("L42T4", "sideways with gravity", "c.velocity * h + vec(gravity.y, 0) * h * h", fall,
+        text("What a step adds to the way of both circles besides v Δt is no method's"));
+    row("L42T4", "half in x, twice in y", "vec(c.velocity.x / 2, 2 * c.velocity.y) * h", fall,
+        text("The way of both circles in a step is not v Δt"));
+    row("L42T4", "at most 5 cm",
+        "c.velocity * math.min(h, 0.05 / math.max(c.velocity:length(), 0.01))", fall,
+        text("The way of both circles in a step is not v Δt"));
+    row("L42T8", "no slow ones", way,
+        "gravity * h - (c.velocity:length() < 0.3 and c.velocity or vec(0, 0))",
+        text("The velocity of both circles changes although it touches nothing"));
+    row("L42T4", "no fall faster than 8 m/s", way,
+        "(c.velocity.y > -8 and gravity * h or vec(0, 0))",
+        text("How the velocity of both circles changes depends on the velocity otherwise than "
+             "asked"));
+    row("L42T4", "towards each other", way,
+        "gravity * h + (circles[3 - c.index].position - c.position) * h",
+        text("The flight of both circles depends on another circle"));
     // What a step does must not hang on when it is made, nor on whether it is the first.
     const QString late =
         QStringLiteral("The step of both circles depends on how long the run has lasted");
@@ -131,8 +170,10 @@ void TestFlightLaw::faultIsNamed_data()
         text("Every step moves both circles twice as far (only in y)"));
     row("L42T4", "no fall faster than 4 m/s", way,
         "(c.velocity.y > -4 and gravity * h or vec(0, 0))",
-        text("What changes the velocity of both circles asks how it moves"));
-    const QString leaps = QStringLiteral("Between hits the velocity of both circles changes");
+        text("How the velocity of both circles changes depends on the velocity otherwise than "
+             "asked"));
+    const QString leaps =
+        QStringLiteral("The velocity of both circles changes although it touches nothing");
     row("L42T4", "at most 1 m/s", way,
         "gravity * h - c.velocity * (1 - math.min(1, 1 / c.velocity:length()))", {leaps});
     row("L42T4", "at most 4 m/s", way,
@@ -247,7 +288,8 @@ void TestFlightLaw::stopOfThoseThatComeNearerIsShown()
                               "then p.velocity, q.velocity = vec(0, 0), vec(0, 0) end")};
     for (const Structure &structure : structures)
         QCOMPARE(step.flight(written(program, structure)),
-                 QStringList(QStringLiteral("Between hits the velocity of both circles changes")));
+                 QStringList(QStringLiteral(
+                     "The velocity of both circles changes although it touches nothing")));
 }
 
 QTEST_GUILESS_MAIN(TestFlightLaw)

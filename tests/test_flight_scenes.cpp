@@ -104,7 +104,7 @@ void TestFlightScenes::fastIsFastAndFallingFalls()
     for (std::size_t i = 0; i < first.size(); ++i) {
         QCOMPARE(fast[i], 5.0 * first[i]);
         QCOMPARE(falling[i].x, second[i].x);
-        QCOMPARE(falling[i].y, -5.0 * std::abs(first[i].x));
+        QCOMPARE(falling[i].y, -9.0 - std::abs(first[i].x));
         QCOMPARE(velocities(Scene::Rest)[i], Vec2{});
     }
 }

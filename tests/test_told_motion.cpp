@@ -204,11 +204,12 @@ void TestToldMotion::gravityOnThePlaceIsTold()
 void TestToldMotion::aNumberForGravityIsTold()
 {
     const auto n = numbersIn(body("L42T17", way, QStringLiteral("vec(0.5, -3) * h")),
-                             "In a scene with gravity (#, #) m/s² it is accelerated by (#, #) "
-                             "m/s², as in every other.");
-    QCOMPARE(n.size(), std::size_t{4});
+                             "Under gravity (#, #) m/s² it is accelerated by (#, #) m/s², and by "
+                             "(#, #) m/s² under (#, #) m/s².");
+    QCOMPARE(n.size(), std::size_t{8});
     QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.5, -3.0}));
-    QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[2], n[3]}));
+    QVERIFY(isNear(Vec2{n[4], n[5]}, Vec2{0.5, -3.0}));
+    QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[6], n[7]}));
 }
 
 void TestToldMotion::anOldCopyOfGravityIsTold()
@@ -234,15 +235,35 @@ void TestToldMotion::forceByVelocityOrPlaceIsTold_data()
                              << QString::fromUtf8(told);
     };
     const char *slower = "Something slows both circles down on the way";
+    const char *inY = "Something slows both circles down on the way (only in y)";
     row("-0.2 * c.velocity", slower,
-        "For every m/s of velocity the acceleration is -0.2 m/s²; 0 is right.");
+        "With Δt = 1/60 s it is accelerated by -0.2 m/s² for every m/s of its velocity; 0 is "
+        "right.");
     row("0.3 * c.velocity", "Something makes both circles faster on the way",
-        "For every m/s of velocity the acceleration is 0.3 m/s²; 0 is right.");
-    row("-vec(0, 0.4 * c.velocity.y)", slower,
-        "For every m/s of velocity the acceleration is -0.4 m/s²; 0 is right.");
+        "With Δt = 1/60 s it is accelerated by 0.3 m/s² for every m/s of its velocity; 0 is "
+        "right.");
+    row("-vec(0, 0.4 * c.velocity.y)", inY,
+        "With Δt = 1/60 s it is accelerated in y by -0.4 m/s² for every m/s of its velocity in y; "
+        "0 is right.");
+    row("vec(-0.1 * c.velocity.x, 0.4 * c.velocity.y)",
+        "The velocity of both circles changes by itself otherwise than asked",
+        "With Δt = 1/60 s it is accelerated by -0.1 m/s² for every m/s of its velocity in x, and "
+        "by 0.4 m/s² for every m/s in y; 0 and 0 are right.");
+    // A tenth of the velocity, however long the step is.
+    row("-0.1 * c.velocity / h", slower,
+        "With Δt = 1/60 s it is accelerated by -6 m/s² for every m/s of its velocity; 0 is right. "
+        "In a step of 1/120 s it keeps as much of it, 0.9 times: so what happens in a second "
+        "depends "
+        "on Δt.");
+    row("-vec(2 * c.velocity.x / h, 0)",
+        "Far from everything the velocity of both circles turns round in every step (only in x)",
+        "It had (-1.13, 0.547) m/s, and (1.13, 0.383) m/s one step of 1/60 s later, with nothing "
+        "near that it could hit. Look at the lines that turn it, and at what is asked before them: "
+        "is it true although nothing touches?");
     row("-vec(0.3 * c.position.x, 0.7 * c.position.y)",
-        "The place of both circles acts on its velocity otherwise than asked",
-        "For every metre further out the acceleration changes by (-0.3, -0.7) m/s²; (0, 0) is "
+        "The acceleration of both circles depends on the place",
+        "At rest under gravity (0, -9.81) m/s² it is accelerated by (0.411, -10.4) m/s² at (-1.37, "
+        "0.83) m and by (0.318, -10.2) m/s² at (-1.06, 0.6) m; (0, -9.81) and (0, -9.81) m/s² are "
         "right.");
 }
 
@@ -266,8 +287,8 @@ void TestToldMotion::aSpeedThatIsCutIsTold()
         body("L42T4", way,
              QStringLiteral("gravity * h - c.velocity * (1 - math.min(1, 1 / "
                             "c.velocity:length()))")),
-        "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/# s later, although it touches "
-        "nothing; gravity gives it (#, #) m/s in a step.");
+        "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/# s later, far from every wall "
+        "and every other circle; gravity gives it (#, #) m/s in a step.");
     QCOMPARE(n.size(), std::size_t{7});
     QVERIFY(isNear(Vec2{n[5], n[6]}, Vec2{0.0, -9.81 / n[4]}));
     const Vec2 thrown{n[0], n[1]};
@@ -304,8 +325,7 @@ void TestToldMotion::methodIsTold()
     QFETCH(double, share);
     const auto n = numbersIn(
         body("L42T4", QStringLiteral("c.velocity * h + %1 * gravity * h * h").arg(share), fall),
-        "From rest under gravity (#, #) m/s² a circle moves by # g Δt² in its first "
-        "step.");
+        "Under gravity (#, #) m/s² it goes on by # g Δt² in a step besides v Δt.");
     QCOMPARE(n.size(), std::size_t{3});
     QVERIFY(n[0] == 0.0 && n[1] == -9.81);
     QVERIFY(isNear(n[2], share));

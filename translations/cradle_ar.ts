@@ -2076,10 +2076,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>يقوم عدد مقام الجاذبية في حركة %who</translation>
     </message>
     <message>
-        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
-        <translation>في مشهد جاذبيته ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، كما في كل مشهد آخر. الاسم ⁦`gravity`⁩ يحمل قيمة المشهد؛ انظر أين يستعمل برنامجك قيمة من عنده.</translation>
-    </message>
-    <message>
         <source>Gravity pulls %who in a wrong direction</source>
         <translation>تشد الجاذبية %who في اتجاه خاطئ</translation>
     </message>
@@ -2132,10 +2128,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تؤثر الجاذبية في %who</translation>
     </message>
     <message>
-        <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
-        <translation>يجب أن تغيّر الجاذبية السرعة في كل خطوة: ابحث عن السطر الذي يفعل ذلك، وعن الشروط التي قبله.</translation>
-    </message>
-    <message>
         <source>Gravity pushes %who against its own direction</source>
         <translation>تدفع الجاذبية %who عكس اتجاهها</translation>
     </message>
@@ -2176,20 +2168,12 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>في مشهدك تغيّر الخطوة الأولى سرعة %who</translation>
     </message>
     <message>
-        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
-        <translation>تبدأ بسرعة ⁦%1 m/s⁩، وسرعتها بعد خطوة واحدة ⁦%2 m/s⁩؛ ولا شيء قريب يمكن أن تصدمه. انظر إلى القيم التي يأخذها السطر: أهي قيم هذه الخطوة أم أقدم؟</translation>
-    </message>
-    <message>
         <source>%1 g Δt² is asked for.</source>
         <translation>المطلوب ⁦%1 g Δt²⁩.</translation>
     </message>
     <message>
         <source>One of these is asked for.</source>
         <translation>المطلوب واحدة من هذه.</translation>
-    </message>
-    <message>
-        <source>From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its first step. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
-        <translation>من السكون تحت الجاذبية ⁦%1 m/s²⁩ تتحرك الدائرة في خطوتها الأولى بمقدار ⁦%2 g Δt²⁩. أويلر تحرّكها بالسرعة القديمة، بمقدار ⁦0 g Δt²⁩؛ وأويلر التماثلية بالجديدة، بمقدار ⁦1 g Δt²⁩؛ والطرائق الدقيقة بمقدار ⁦½ g Δt²⁩.</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -2324,14 +2308,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>انظر ماذا يأخذ السطر الذي يغيّر الموضع، وإلى الشروط التي قبله.</translation>
     </message>
     <message>
-        <source>What changes the velocity of %who asks how it moves</source>
-        <translation>ما يغيّر سرعة %who يسأل كيف تتحرك</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>تحت الجاذبية ⁦%1 m/s²⁩ وبسرعة ⁦%2 m/s⁩ يكون التغير ⁦%3 m/s⁩ في خطوة مدتها ⁦%4 s⁩، وبسرعة ⁦%5 m/s⁩ يكون ⁦%6 m/s⁩؛ الصواب ⁨%7⁩ و⁦%8 m/s⁩. انظر إلى الشروط التي قبل الأسطر التي تغيّر السرعة.</translation>
-    </message>
-    <message>
         <source>The way of %who is not multiplied by the timestep</source>
         <translation>مسافة %who لا تُضرب في الخطوة الزمنية</translation>
     </message>
@@ -2394,14 +2370,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>The place of %who acts on its velocity otherwise than asked</source>
         <translation>موضع %who يؤثر في سرعتها على غير المطلوب</translation>
-    </message>
-    <message>
-        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
-        <translation>مع كل متر أبعد يتغير التسارع بمقدار ⁦%1 m/s²⁩؛ الصواب ⁨%2⁩.</translation>
-    </message>
-    <message>
-        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
-        <translation>مع كل ⁦m/s⁩ من السرعة يكون التسارع ⁦%1 m/s²⁩؛ الصواب ⁨%2⁩.</translation>
     </message>
     <message>
         <source>Something slows %who down on the way</source>
@@ -2916,36 +2884,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>السرعات بوحدة ⁦m/s⁩ على خط المركزين (من 1 إلى 2) ومعامدة له: جاءت الدائرة 1 بـ ⁨%1⁩، والدائرة 2 بـ ⁨%2⁩؛ وغادرتا بـ ⁨%3⁩ و⁨%4⁩؛ الصواب ⁨%5⁩ و⁨%6⁩.</translation>
     </message>
     <message>
-        <source>Gravity is %1 m/s², not %2
-
-So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
-        <translation>الجاذبية ⁦%1 m/s²⁩، لا ⁨%2⁩
-
-هكذا هي حين يبدأ التشغيل. انظر ماذا تُسند ⁦`on_load`⁩ إلى ⁦`gravity`⁩.</translation>
-    </message>
-    <message>
-        <source>
-
-Look at what `on_load` sets, and for which circle.</source>
-        <translation>
-
-انظر ماذا تضبط ⁦`on_load`⁩، ولأي دائرة.</translation>
-    </message>
-    <message>
         <source>e = %1 is not the value that is asked for</source>
         <translation>القيمة ⁦e = %1⁩ ليست المطلوبة</translation>
-    </message>
-    <message>
-        <source>The laws of your program are right; with the e that the step asks for your own scene would pass.</source>
-        <translation>قوانين برنامجك صحيحة؛ ومع e الذي تطلبه المرحلة كان مشهدك سيجتاز.</translation>
-    </message>
-    <message>
-        <source>`on_load` does not set `restitution`, so that it is the one that the scene had before.</source>
-        <translation>لا تضبط ⁦`on_load`⁩ قيمة ⁦`restitution`⁩، فهي التي كانت للمشهد من قبل.</translation>
-    </message>
-    <message>
-        <source>Look at what `on_load` gives to `restitution`.</source>
-        <translation>انظر ماذا تعطي ⁦`on_load`⁩ لـ ⁦`restitution`⁩.</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
@@ -3213,10 +3153,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>في مشهدك الجاذبية ⁦%1 m/s²⁩؛ وتتغير السرعة بمقدار ⁦%2 m/s⁩ في الخطوة الأولى وبمقدار ⁦%3 m/s⁩ في الثانية. انظر ما الذي يغيّر السرعة غير ذلك، بعيدًا عن أي تصادم.</translation>
     </message>
     <message>
-        <source>Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>انظر إلى الشروط التي تسبق الأسطر التي تغيّر السرعة.</translation>
-    </message>
-    <message>
         <source>After a hit the circles still run into each other</source>
         <translation>بعد التصادم تستمر الدائرتان في التقارب</translation>
     </message>
@@ -3303,14 +3239,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>مدة الخطوة هي معامل ⁦`on_update`⁩؛ أما ⁦`time`⁩ فالزمن منذ البداية، و⁦`step`⁩ يعدّ الخطوات.</translation>
-    </message>
-    <message>
-        <source>Between hits the velocity of %who changes</source>
-        <translation>بين التصادمات تتغير سرعة %who</translation>
-    </message>
-    <message>
-        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
-        <translation>إذا رُميت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩ مع أنها لا تلمس شيئًا؛ والجاذبية تعطيها ⁦%4 m/s⁩ في الخطوة. انظر ماذا تفعل ⁦`on_update`⁩ بالسرعة غير الجاذبية والتصادمات.</translation>
     </message>
     <message>
         <source>The velocity does not move %who</source>
@@ -3433,10 +3361,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>حين تلتقيان بسرعة ⁦%1 m/s⁩ تخرج النتيجة صحيحة. القانون واحد لكل سرعة.</translation>
     </message>
     <message>
-        <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
-        <translation>هكذا هو عند بدء التشغيل؛ وفي هذه المرحلة لمشهدك ⁦e = %1⁩. انظر ماذا تعطي ⁦`on_load`⁩ لـ ⁦`restitution`⁩.</translation>
-    </message>
-    <message>
         <source>twice the smaller radius</source>
         <translation>ضعف نصف القطر الأصغر</translation>
     </message>
@@ -3535,14 +3459,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
         <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدت حين كانت حافتها على بعد بين ⁨%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁨%7⁩ و⁦%8 m⁩. هذه مسافة ثانية كاملة: الخطوة تنقلها ⁦v&#xa0;Δt⁩ لا v.</translation>
-    </message>
-    <message>
-        <source>Of %1 that differ only in when and where they come %2 came out right.</source>
-        <translation>من ⁨%1⁩ لا تختلف إلا في وقتها ومكانها جاء ⁨%2⁩ صحيحًا.</translation>
-    </message>
-    <message>
-        <source>Look at the conditions in front of the lines that do it, and at what your program keeps from one step to the next.</source>
-        <translation>انظر إلى الشروط التي تسبق الأسطر التي تفعل ذلك، وإلى ما يحتفظ به برنامجك من خطوة إلى أخرى.</translation>
     </message>
     <message>
         <source>Gravity acts on %who as it should only %1</source>
@@ -3675,6 +3591,226 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Its velocity still points into the wall: look at what it is worked out from.</source>
         <translation>لا تزال السرعة تشير إلى داخل الجدار: انظر ممّ تُحسب.</translation>
+    </message>
+    <message>
+        <source>The flight of %who depends on another circle</source>
+        <translation>طيران %who يتوقف على دائرة أخرى</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later; with every other circle at rest and elsewhere it has %4 m/s.</source>
+        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوتين مدة كل منهما ⁦%3 s⁩؛ وإذا كانت كل دائرة أخرى ساكنة في مكان آخر كانت ⁦%4 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the second step of %3 s; with every other circle at rest and elsewhere %4 m.</source>
+        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ تقدمت ⁦%2 m⁩ في الخطوة الثانية ومدتها ⁦%3 s⁩؛ وإذا كانت كل دائرة أخرى ساكنة في مكان آخر تقدمت ⁦%4 m⁩.</translation>
+    </message>
+    <message>
+        <source>They are far from each other. Look at what the lines that move one circle take from another, and at what is asked before them.</source>
+        <translation>وهي بعيدة بعضها عن بعض. انظر ماذا تأخذ الأسطر التي تحرّك دائرة من دائرة أخرى، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>Of %1 arrivals at walls, here and there, early and late, %2 came out right.</source>
+        <translation>من ⁨%1⁩ من الوصول إلى الجدران، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
+    </message>
+    <message>
+        <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
+        <translation>من ⁨%1⁩ من تصادمات الدائرتين، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
+    </message>
+    <message>
+        <source>Of %1 steps of free flight, here and there, early and late in one run, %2 came out right.</source>
+        <translation>من ⁨%1⁩ من خطوات الطيران الحر، هنا وهناك، مبكرًا ومتأخرًا في تشغيل واحد، جاء ⁨%2⁩ صحيحًا.</translation>
+    </message>
+    <message>
+        <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
+        <translation>انظر ما الذي يُسأل قبل الأسطر التي تفعل ذلك، وإلى ما يحتفظ به برنامجك من خطوة إلى أخرى.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the way of %who goes with Δt, not with Δt²</source>
+        <translation>ما تضيفه الجاذبية إلى مسافة %who يتناسب مع ⁦Δt⁩ لا مع ⁦Δt²⁩</translation>
+    </message>
+    <message>
+        <source>A way is a length, as g Δt² is; g Δt is a velocity and g an acceleration.</source>
+        <translation>المسافة طول، ومثلها ⁦g Δt²⁩؛ أما ⁦g Δt⁩ فسرعة و⁦g⁩ تسارع.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who by a fixed way besides v Δt</source>
+        <translation>كل خطوة تحرّك %who مسافة ثابتة زيادة على ⁦v Δt⁩</translation>
+    </message>
+    <message>
+        <source>Whatever Δt, gravity and its velocity are, it goes on by %1 m besides. Look at what is added to the position.</source>
+        <translation>أيًّا كانت ⁦Δt⁩ والجاذبية والسرعة يُضاف إليها ⁦%1 m⁩. انظر ماذا يُجمع إلى الموضع.</translation>
+    </message>
+    <message>
+        <source>Something besides its own velocity moves %who</source>
+        <translation>شيء غير السرعة الذاتية يحرّك %who</translation>
+    </message>
+    <message>
+        <source>Whatever gravity and its velocity are, it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
+        <translation>أيًّا كانت الجاذبية والسرعة يُضاف ⁦%1 m/s⁩ مضروبًا في ⁦Δt⁩. انظر ماذا يُجمع إلى الموضع.</translation>
+    </message>
+    <message>
+        <source>What a step adds to the way of %who besides v Δt is no method&apos;s</source>
+        <translation>ما تضيفه الخطوة إلى مسافة %who زيادة على ⁦v Δt⁩ ليس من أي طريقة</translation>
+    </message>
+    <message>
+        <source>Besides v Δt it goes %1 m in a step of %2 s under gravity %3 m/s², and %4 m in one of %5 s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt².</source>
+        <translation>زيادة على ⁦v Δt⁩ تتقدم ⁦%1 m⁩ في خطوة مدتها ⁦%2 s⁩ تحت الجاذبية ⁦%3 m/s²⁩، و⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩. أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة ⁦½ g Δt²⁩.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² under %4 m/s².</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، ويكون ⁦%3 m/s²⁩ تحت ⁦%4 m/s²⁩.</translation>
+    </message>
+    <message>
+        <source>The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
+        <translation>الاسم ⁦`gravity`⁩ يحمل قيمة المشهد؛ انظر أين يستعمل برنامجك قيمة من عنده.</translation>
+    </message>
+    <message>
+        <source>Something besides gravity accelerates %who</source>
+        <translation>شيء غير الجاذبية يسرّع %who</translation>
+    </message>
+    <message>
+        <source>Each time that is %1 m/s² more than gravity gives.</source>
+        <translation>وهذا في كل مرة أكثر مما تعطيه الجاذبية بمقدار ⁦%1 m/s²⁩.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who is not that of gravity</source>
+        <translation>تسارع %who ليس تسارع الجاذبية</translation>
+    </message>
+    <message>
+        <source>In one of %1 s it changes by %2 m/s, and should by %3 m/s.</source>
+        <translation>وفي خطوة مدتها ⁦%1 s⁩ تتغير بمقدار ⁦%2 m/s⁩، والصواب ⁦%3 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>How gravity acts on %who depends on the timestep</source>
+        <translation>تأثير الجاذبية في %who يتوقف على طول الخطوة</translation>
+    </message>
+    <message>
+        <source>In every step gravity must change its velocity: look for the line that does it, and at what is asked before it.</source>
+        <translation>يجب أن تغيّر الجاذبية السرعة في كل خطوة: ابحث عن السطر الذي يفعل ذلك، وعمّا يُسأل قبله.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is v Δt only %1</source>
+        <translation>لا تكون مسافة %who في الخطوة ⁦v Δt⁩ إلا %1</translation>
+    </message>
+    <message>
+        <source>At %1 s of that run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>عند ⁦%1 s⁩ من ذلك التشغيل تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ تتقدم في الخطوة بمقدار ⁦%2 g Δt²⁩ زيادة على ⁦v Δt⁩. أويلر تحرّكها بالسرعة القديمة، بمقدار ⁦0 g Δt²⁩؛ وأويلر التماثلية بالجديدة، بمقدار ⁦1 g Δt²⁩؛ والطرائق الدقيقة بمقدار ⁦½ g Δt²⁩.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes although it touches nothing</source>
+        <translation>تتغير سرعة %who مع أنها لا تلمس شيئًا</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from every wall and every other circle; gravity gives it %4 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>إذا رُميت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩، بعيدةً عن كل جدار وكل دائرة أخرى؛ والجاذبية تعطيها ⁦%4 m/s⁩ في الخطوة. انظر أي الأسطر تغيّر سرعتها هناك، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>A slower one goes on as it should.</source>
+        <translation>والأبطأ تمضي كما يجب.</translation>
+    </message>
+    <message>
+        <source>A faster one goes on as it should.</source>
+        <translation>والأسرع تمضي كما يجب.</translation>
+    </message>
+    <message>
+        <source>How the velocity of %who changes depends on the velocity otherwise than asked</source>
+        <translation>تغيّر سرعة %who يتوقف على السرعة نفسها على غير المطلوب</translation>
+    </message>
+    <message>
+        <source>Look at what the lines that change the velocity take, and at what is asked before them.</source>
+        <translation>انظر ماذا تأخذ الأسطر التي تغيّر السرعة، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at what the lines that change the velocity take, and at what is asked before them.</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ وبسرعة ⁦%2 m/s⁩ يكون التغير ⁦%3 m/s⁩ في خطوة مدتها ⁦%4 s⁩، وبسرعة ⁦%5 m/s⁩ يكون ⁦%6 m/s⁩؛ الصواب ⁨%7⁩ و⁦%8 m/s⁩. انظر ماذا تأخذ الأسطر التي تغيّر السرعة، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who depends on the place</source>
+        <translation>تسارع %who يتوقف على الموضع</translation>
+    </message>
+    <message>
+        <source>At rest under gravity %1 m/s² it is accelerated by %2 m/s² at %3 m and by %4 m/s² at %5 m; %6 and %7 m/s² are right.</source>
+        <translation>في السكون تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩ عند ⁦%3 m⁩ و⁦%4 m/s²⁩ عند ⁦%5 m⁩؛ الصواب ⁨%6⁩ و⁦%7 m/s²⁩.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes by itself otherwise than asked</source>
+        <translation>سرعة %who تؤثر في نفسها على غير المطلوب</translation>
+    </message>
+    <message>
+        <source>Far from everything the velocity of %who turns round in every step</source>
+        <translation>بعيدًا عن كل شيء تنعكس سرعة %who في كل خطوة</translation>
+    </message>
+    <message>
+        <source>It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near that it could hit. Look at the lines that turn it, and at what is asked before them: is it true although nothing touches?</source>
+        <translation>كانت سرعتها ⁦%1 m/s⁩، وصارت ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩، ولا شيء قريب يمكن أن تصدمه. انظر إلى الأسطر التي تعكسها، وما الذي يُسأل قبلها: أهو صحيح مع أن شيئًا لا يلمس شيئًا؟</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated by %2 m/s² for every m/s of its velocity; %3 is right.</source>
+        <translation>مع ⁦Δt = %1 s⁩ يكون التسارع ⁦%2 m/s²⁩ لكل ⁦m/s⁩ من السرعة؛ الصواب ⁨%3⁩.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated in x by %2 m/s² for every m/s of its velocity in x; %3 is right.</source>
+        <translation>مع ⁦Δt = %1 s⁩ يكون التسارع في ⁦x⁩ بمقدار ⁦%2 m/s²⁩ لكل ⁦m/s⁩ من السرعة في ⁦x⁩؛ الصواب ⁨%3⁩.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated in y by %2 m/s² for every m/s of its velocity in y; %3 is right.</source>
+        <translation>مع ⁦Δt = %1 s⁩ يكون التسارع في ⁦y⁩ بمقدار ⁦%2 m/s²⁩ لكل ⁦m/s⁩ من السرعة في ⁦y⁩؛ الصواب ⁨%3⁩.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated by %2 m/s² for every m/s of its velocity in x, and by %3 m/s² for every m/s in y; %4 and %5 are right.</source>
+        <translation>مع ⁦Δt = %1 s⁩ يكون التسارع ⁦%2 m/s²⁩ لكل ⁦m/s⁩ من السرعة في ⁦x⁩، و⁦%3 m/s²⁩ لكل ⁦m/s⁩ في ⁦y⁩؛ الصواب ⁨%4⁩ و⁨%5⁩.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is %2 m/s².</source>
+        <translation>ومع ⁦Δt = %1 s⁩ يكون ⁦%2 m/s²⁩.</translation>
+    </message>
+    <message>
+        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>تبدأ بسرعة ⁦%1 m/s⁩، وسرعتها بعد خطوة واحدة ⁦%2 m/s⁩؛ ولا شيء قريب يمكن أن تصدمه. انظر أي الأسطر تغيّر سرعتها هناك، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>It is the value that the scene has.</source>
+        <translation>هذه هي القيمة التي للمشهد.</translation>
+    </message>
+    <message>
+        <source>Look at what your program assigns to %1 before the first step.</source>
+        <translation>انظر ماذا يُسند برنامجك إلى ⁦%1⁩ قبل الخطوة الأولى.</translation>
+    </message>
+    <message>
+        <source>Behind `local`, %1 is the name of another variable: the scene keeps its own value.</source>
+        <translation>بعد ⁦`local`⁩ يكون ⁦%1⁩ اسمًا لمتغير آخر: ويبقى للمشهد قيمته.</translation>
+    </message>
+    <message>
+        <source>Nothing in your program assigns to %1 before the first step: it is the value that the scene has.</source>
+        <translation>لا شيء في برنامجك يُسند إلى ⁦%1⁩ قبل الخطوة الأولى: فهي القيمة التي للمشهد.</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s², not %2
+
+So it is when the run begins.</source>
+        <translation>الجاذبية ⁦%1 m/s²⁩، لا ⁨%2⁩
+
+هكذا هي حين يبدأ التشغيل.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins; in this step your own scene should have e = %1.</source>
+        <translation>هكذا هو عند بدء التشغيل؛ وفي هذه المرحلة يجب أن يكون لمشهدك ⁦e = %1⁩.</translation>
+    </message>
+    <message>
+        <source>With the e that the step asks for, all that failed would pass.</source>
+        <translation>مع قيمة ⁦e⁩ التي تطلبها المرحلة ينجح كل ما لم ينجح.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the way of %who does not depend on Δt</source>
+        <translation>ما تضيفه الجاذبية إلى مسافة %who لا يتوقف على ⁦Δt⁩</translation>
+    </message>
+    <message>
+        <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
+        <translation>وفي خطوة مدتها ⁦%1 s⁩ تحتفظ منها بالقدر نفسه، ⁨%2⁩ منها: فما يحدث في ثانية يتوقف على ⁦Δt⁩.</translation>
     </message>
 </context>
 <context>

@@ -2132,10 +2132,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who steht in der Bewegung eine Zahl statt der Schwerkraft</translation>
     </message>
     <message>
-        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
-        <translation>In einer Szene mit der Schwerkraft %1 m/s² wird der Kreis mit %2 m/s² beschleunigt, wie in jeder anderen. Der Name `gravity` enthält den Wert der Szene; sieh nach, wo dein Programm einen eigenen hat.</translation>
-    </message>
-    <message>
         <source>Gravity pulls %who in a wrong direction</source>
         <translation>Die Schwerkraft zieht %who in eine falsche Richtung</translation>
     </message>
@@ -2224,14 +2220,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who wirkt der Ort anders auf die Geschwindigkeit als verlangt</translation>
     </message>
     <message>
-        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
-        <translation>Mit jedem Meter weiter draußen ändert sich die Beschleunigung um %1 m/s²; richtig ist %2.</translation>
-    </message>
-    <message>
-        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
-        <translation>Je m/s an Geschwindigkeit beträgt die Beschleunigung %1 m/s²; richtig ist %2.</translation>
-    </message>
-    <message>
         <source>Something slows %who down on the way</source>
         <translation>Etwas bremst %who unterwegs</translation>
     </message>
@@ -2266,10 +2254,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>One of these is asked for.</source>
         <translation>Verlangt ist eines davon.</translation>
-    </message>
-    <message>
-        <source>From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its first step. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
-        <translation>Aus der Ruhe kommt ein Kreis unter der Schwerkraft %1 m/s² in seinem ersten Schritt um %2 g Δt² weit. Euler bewegt ihn mit der alten Geschwindigkeit, um 0 g Δt²; der symplektische Euler mit der neuen, um 1 g Δt²; die genauen Verfahren um ½ g Δt².</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -2708,22 +2692,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Gleiche Kreise antworten richtig, ungleiche nicht</translation>
     </message>
     <message>
-        <source>Gravity is %1 m/s², not %2
-
-So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
-        <translation>Die Schwerkraft ist %1 m/s², nicht %2
-
-So ist es, wenn der Lauf beginnt. Sieh nach, was `on_load` an `gravity` zuweist.</translation>
-    </message>
-    <message>
-        <source>
-
-Look at what `on_load` sets, and for which circle.</source>
-        <translation>
-
-Sieh nach, was `on_load` setzt und für welchen Kreis.</translation>
-    </message>
-    <message>
         <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
         <translation>Auf jede der vier Wände geworfen, %1 m/s schnell, geht der Kreis durch sie hindurch. Nach jeder Bewegung braucht jeder Kreis seine Fragen: Ist sein Rand hinter einer Wand?</translation>
     </message>
@@ -2940,10 +2908,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s², wenn sein Radius das 1.25-Fache und seine Dichte das 1.5-Fache ist. Die Schwerkraft ist schon eine Beschleunigung: Alle Körper fallen gleich, wie schwer sie auch sind.</translation>
     </message>
     <message>
-        <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
-        <translation>In jedem Schritt muss die Schwerkraft seine Geschwindigkeit ändern: Suche die Zeile, die das tut, und sieh dir die Bedingungen davor an.</translation>
-    </message>
-    <message>
         <source>Every step puts %who where circle %1 is</source>
         <translation>Jeder Schritt setzt %who dorthin, wo Kreis %1 ist</translation>
     </message>
@@ -2982,18 +2946,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     <message>
         <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
         <translation>Sieh nach, was die Zeile nimmt, die den Ort ändert, und welche Bedingungen davor stehen.</translation>
-    </message>
-    <message>
-        <source>What changes the velocity of %who asks how it moves</source>
-        <translation>Was die Geschwindigkeit ändert, hängt für %who davon ab, wie er sich bewegt</translation>
-    </message>
-    <message>
-        <source>Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>Unter der Schwerkraft %1 m/s² und mit der Geschwindigkeit %2 m/s ändert sie sich in einem Schritt von %4 s um %3 m/s, mit %5 m/s um %6 m/s; richtig sind %7 und %8 m/s. Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
@@ -3064,18 +3016,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>e = %1 ist nicht der verlangte Wert</translation>
     </message>
     <message>
-        <source>The laws of your program are right; with the e that the step asks for your own scene would pass.</source>
-        <translation>Die Gesetze deines Programms stimmen; mit dem e, das der Schritt verlangt, würde deine eigene Szene bestehen.</translation>
-    </message>
-    <message>
-        <source>`on_load` does not set `restitution`, so that it is the one that the scene had before.</source>
-        <translation>`on_load` setzt `restitution` nicht; so ist es der Wert, den die Szene vorher hatte.</translation>
-    </message>
-    <message>
-        <source>Look at what `on_load` gives to `restitution`.</source>
-        <translation>Sieh nach, was `on_load` an `restitution` gibt.</translation>
-    </message>
-    <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
         <translation>Kreis %5 kam mit %2 m/s an %1 an und ging mit %3 m/s; richtig ist %4 m/s.</translation>
     </message>
@@ -3110,10 +3050,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>In your own scene the first step changes the velocity of %who</source>
         <translation>In deiner eigenen Szene ändert der erste Schritt die Geschwindigkeit für %who</translation>
-    </message>
-    <message>
-        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
-        <translation>Am Start sind es %1 m/s, einen Schritt später %2 m/s; nichts, was zu treffen wäre, ist nahe. Sieh dir die Werte an, die die Zeile nimmt: Sind es die dieses Schritts, oder ältere?</translation>
     </message>
     <message>
         <source>The x of the velocity of %who is set anew in every step</source>
@@ -3281,14 +3217,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Wie lange ein Zeitschritt dauert, ist der Parameter von `on_update`; `time` ist die Zeit seit dem Start, und `step` zählt.</translation>
     </message>
     <message>
-        <source>Between hits the velocity of %who changes</source>
-        <translation>Zwischen Stößen ändert sich für %who die Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
-        <translation>Mit %1 m/s geworfen, hat er einen Schritt von %3 s später %2 m/s, obwohl er nichts berührt; die Schwerkraft gibt ihm %4 m/s in einem Schritt. Sieh nach, was `on_update` außer Schwerkraft und Stößen mit der Geschwindigkeit macht.</translation>
-    </message>
-    <message>
         <source>The velocity does not move %who</source>
         <translation>Die Geschwindigkeit bewegt %who nicht</translation>
     </message>
@@ -3409,10 +3337,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Wo sie sich mit %1 m/s treffen, geht es richtig aus. Das Gesetz ist für jedes Tempo dasselbe.</translation>
     </message>
     <message>
-        <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
-        <translation>So ist es, wenn der Lauf beginnt; in diesem Schritt hat deine eigene Szene e = %1. Sieh dir an, was `on_load` an `restitution` gibt.</translation>
-    </message>
-    <message>
         <source>twice the smaller radius</source>
         <translation>das Doppelte des kleineren Radius</translation>
     </message>
@@ -3511,14 +3435,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
         <translation>Kreis %1 kam mit %3 m/s an %2 an und kehrte um, als sein Rand zwischen %4 und %5 m davon entfernt war; mit %6 m/s zwischen %7 und %8 m. Das ist der Weg einer Sekunde: Ein Schritt bringt ihn um v Δt weiter, nicht um v.</translation>
-    </message>
-    <message>
-        <source>Of %1 that differ only in when and where they come %2 came out right.</source>
-        <translation>Von %1, die sich nur darin unterscheiden, wann und wo sie kommen, sind %2 richtig ausgegangen.</translation>
-    </message>
-    <message>
-        <source>Look at the conditions in front of the lines that do it, and at what your program keeps from one step to the next.</source>
-        <translation>Sieh dir die Bedingungen vor den Zeilen an, die das tun, und was dein Programm von einem Schritt zum nächsten behält.</translation>
     </message>
     <message>
         <source>Gravity acts on %who as it should only %1</source>
@@ -3651,6 +3567,226 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>Its velocity still points into the wall: look at what it is worked out from.</source>
         <translation>Die Geschwindigkeit zeigt immer noch in die Wand: Sieh dir an, woraus sie berechnet wird.</translation>
+    </message>
+    <message>
+        <source>The flight of %who depends on another circle</source>
+        <translation>Der Flug hängt für %who von einem anderen Kreis ab</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later; with every other circle at rest and elsewhere it has %4 m/s.</source>
+        <translation>Mit %1 m/s gestartet, hat er zwei Schritte von %3 s später %2 m/s; ruht jeder andere Kreis an einem anderen Ort, hat er %4 m/s.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the second step of %3 s; with every other circle at rest and elsewhere %4 m.</source>
+        <translation>Mit %1 m/s gestartet, kommt er im zweiten Schritt von %3 s um %2 m weiter; ruht jeder andere Kreis an einem anderen Ort, um %4 m.</translation>
+    </message>
+    <message>
+        <source>They are far from each other. Look at what the lines that move one circle take from another, and at what is asked before them.</source>
+        <translation>Sie sind weit voneinander entfernt. Sieh dir an, was die Zeilen, die einen Kreis bewegen, von einem anderen nehmen und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Of %1 arrivals at walls, here and there, early and late, %2 came out right.</source>
+        <translation>Von %1 Ankünften an Wänden, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
+    </message>
+    <message>
+        <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
+        <translation>Von %1 Stößen der beiden Kreise, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
+    </message>
+    <message>
+        <source>Of %1 steps of free flight, here and there, early and late in one run, %2 came out right.</source>
+        <translation>Von %1 Schritten freien Flugs, hier und dort, früh und spät in einem Lauf, sind %2 richtig ausgegangen.</translation>
+    </message>
+    <message>
+        <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
+        <translation>Sieh dir an, was vor den Zeilen gefragt wird, die das tun, und was dein Programm von einem Schritt zum nächsten behält.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the way of %who goes with Δt, not with Δt²</source>
+        <translation>Was die Schwerkraft für %who zum Weg hinzufügt, geht mit Δt, nicht mit Δt²</translation>
+    </message>
+    <message>
+        <source>A way is a length, as g Δt² is; g Δt is a velocity and g an acceleration.</source>
+        <translation>Ein Weg ist eine Länge, wie g Δt²; g Δt ist eine Geschwindigkeit und g eine Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who by a fixed way besides v Δt</source>
+        <translation>Jeder Schritt bewegt %who außer um v Δt um einen festen Weg</translation>
+    </message>
+    <message>
+        <source>Whatever Δt, gravity and its velocity are, it goes on by %1 m besides. Look at what is added to the position.</source>
+        <translation>Was auch immer Δt, die Schwerkraft und seine Geschwindigkeit sind, es kommen %1 m hinzu. Sieh dir an, was zum Ort addiert wird.</translation>
+    </message>
+    <message>
+        <source>Something besides its own velocity moves %who</source>
+        <translation>Außer der eigenen Geschwindigkeit bewegt noch etwas %who</translation>
+    </message>
+    <message>
+        <source>Whatever gravity and its velocity are, it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
+        <translation>Was auch immer die Schwerkraft und seine Geschwindigkeit sind, es kommen %1 m/s mal Δt hinzu. Sieh dir an, was zum Ort addiert wird.</translation>
+    </message>
+    <message>
+        <source>What a step adds to the way of %who besides v Δt is no method&apos;s</source>
+        <translation>Was ein Schritt für %who außer v Δt zum Weg hinzufügt, ist von keinem Verfahren</translation>
+    </message>
+    <message>
+        <source>Besides v Δt it goes %1 m in a step of %2 s under gravity %3 m/s², and %4 m in one of %5 s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt².</source>
+        <translation>Außer v Δt kommt er unter der Schwerkraft %3 m/s² in einem Schritt von %2 s um %1 m weiter, und in einem von %5 s um %4 m. Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² under %4 m/s².</source>
+        <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s² unter %4 m/s².</translation>
+    </message>
+    <message>
+        <source>The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
+        <translation>Der Name `gravity` enthält den Wert der Szene; sieh nach, wo dein Programm einen eigenen hat.</translation>
+    </message>
+    <message>
+        <source>Something besides gravity accelerates %who</source>
+        <translation>Außer der Schwerkraft beschleunigt noch etwas %who</translation>
+    </message>
+    <message>
+        <source>Each time that is %1 m/s² more than gravity gives.</source>
+        <translation>Das sind jedes Mal %1 m/s² mehr, als die Schwerkraft gibt.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who is not that of gravity</source>
+        <translation>Die Beschleunigung ist für %who nicht die der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>In one of %1 s it changes by %2 m/s, and should by %3 m/s.</source>
+        <translation>In einem von %1 s ändert sie sich um %2 m/s und sollte es um %3 m/s.</translation>
+    </message>
+    <message>
+        <source>How gravity acts on %who depends on the timestep</source>
+        <translation>Wie die Schwerkraft auf %who wirkt, hängt vom Zeitschritt ab</translation>
+    </message>
+    <message>
+        <source>In every step gravity must change its velocity: look for the line that does it, and at what is asked before it.</source>
+        <translation>In jedem Schritt muss die Schwerkraft seine Geschwindigkeit ändern: Suche die Zeile, die das tut, und sieh dir an, was vor ihr gefragt wird.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is v Δt only %1</source>
+        <translation>Für %who ist der Weg eines Schritts nur %1 v Δt</translation>
+    </message>
+    <message>
+        <source>At %1 s of that run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>Nach %1 s dieses Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; richtig ist %6 m.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
+        <translation>Unter der Schwerkraft %1 m/s² kommt er in einem Schritt außer um v Δt um %2 g Δt² weiter. Euler bewegt ihn mit der alten Geschwindigkeit, um 0 g Δt²; der symplektische Euler mit der neuen, um 1 g Δt²; die genauen Verfahren um ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes although it touches nothing</source>
+        <translation>Die Geschwindigkeit ändert sich für %who, obwohl nichts berührt wird</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from every wall and every other circle; gravity gives it %4 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>Mit %1 m/s geworfen, hat er einen Schritt von %3 s später %2 m/s, fern von jeder Wand und jedem anderen Kreis; die Schwerkraft gibt ihm %4 m/s in einem Schritt. Sieh nach, welche Zeilen dort seine Geschwindigkeit ändern und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>A slower one goes on as it should.</source>
+        <translation>Ein langsamerer läuft weiter, wie er soll.</translation>
+    </message>
+    <message>
+        <source>A faster one goes on as it should.</source>
+        <translation>Ein schnellerer läuft weiter, wie er soll.</translation>
+    </message>
+    <message>
+        <source>How the velocity of %who changes depends on the velocity otherwise than asked</source>
+        <translation>Wie sich die Geschwindigkeit ändert, hängt für %who anders als verlangt von ihr selbst ab</translation>
+    </message>
+    <message>
+        <source>Look at what the lines that change the velocity take, and at what is asked before them.</source>
+        <translation>Sieh dir an, was die Zeilen nehmen, die die Geschwindigkeit ändern, und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at what the lines that change the velocity take, and at what is asked before them.</source>
+        <translation>Unter der Schwerkraft %1 m/s² und mit der Geschwindigkeit %2 m/s ändert sie sich in einem Schritt von %4 s um %3 m/s, mit %5 m/s um %6 m/s; richtig sind %7 und %8 m/s. Sieh dir an, was die Zeilen nehmen, die die Geschwindigkeit ändern, und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who depends on the place</source>
+        <translation>Die Beschleunigung hängt für %who vom Ort ab</translation>
+    </message>
+    <message>
+        <source>At rest under gravity %1 m/s² it is accelerated by %2 m/s² at %3 m and by %4 m/s² at %5 m; %6 and %7 m/s² are right.</source>
+        <translation>In Ruhe unter der Schwerkraft %1 m/s² wird er bei %3 m mit %2 m/s² beschleunigt und bei %5 m mit %4 m/s²; richtig sind %6 und %7 m/s².</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes by itself otherwise than asked</source>
+        <translation>Die Geschwindigkeit ändert sich für %who durch sich selbst anders als verlangt</translation>
+    </message>
+    <message>
+        <source>Far from everything the velocity of %who turns round in every step</source>
+        <translation>Fern von allem kehrt sich für %who die Geschwindigkeit in jedem Schritt um</translation>
+    </message>
+    <message>
+        <source>It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near that it could hit. Look at the lines that turn it, and at what is asked before them: is it true although nothing touches?</source>
+        <translation>Er hatte %1 m/s und einen Schritt von %3 s später %2 m/s; nichts, was zu treffen wäre, war nahe. Sieh dir die Zeilen an, die ihn umkehren, und was vor ihnen gefragt wird: Ist es wahr, obwohl nichts sich berührt?</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated by %2 m/s² for every m/s of its velocity; %3 is right.</source>
+        <translation>Mit Δt = %1 s wird er je m/s seiner Geschwindigkeit mit %2 m/s² beschleunigt; richtig ist %3.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated in x by %2 m/s² for every m/s of its velocity in x; %3 is right.</source>
+        <translation>Mit Δt = %1 s wird er in x je m/s seiner Geschwindigkeit in x mit %2 m/s² beschleunigt; richtig ist %3.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated in y by %2 m/s² for every m/s of its velocity in y; %3 is right.</source>
+        <translation>Mit Δt = %1 s wird er in y je m/s seiner Geschwindigkeit in y mit %2 m/s² beschleunigt; richtig ist %3.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated by %2 m/s² for every m/s of its velocity in x, and by %3 m/s² for every m/s in y; %4 and %5 are right.</source>
+        <translation>Mit Δt = %1 s wird er je m/s seiner Geschwindigkeit in x mit %2 m/s² beschleunigt, und je m/s in y mit %3 m/s²; richtig sind %4 und %5.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is %2 m/s².</source>
+        <translation>Mit Δt = %1 s sind es %2 m/s².</translation>
+    </message>
+    <message>
+        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>Am Start sind es %1 m/s, einen Schritt später %2 m/s; nichts, was zu treffen wäre, ist nahe. Sieh nach, welche Zeilen dort die Geschwindigkeit ändern und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>It is the value that the scene has.</source>
+        <translation>Das ist der Wert, den die Szene hat.</translation>
+    </message>
+    <message>
+        <source>Look at what your program assigns to %1 before the first step.</source>
+        <translation>Sieh dir an, was dein Programm vor dem ersten Schritt an %1 zuweist.</translation>
+    </message>
+    <message>
+        <source>Behind `local`, %1 is the name of another variable: the scene keeps its own value.</source>
+        <translation>Hinter `local` ist %1 der Name einer anderen Variablen: Die Szene behält ihren eigenen Wert.</translation>
+    </message>
+    <message>
+        <source>Nothing in your program assigns to %1 before the first step: it is the value that the scene has.</source>
+        <translation>Nichts in deinem Programm weist vor dem ersten Schritt etwas an %1 zu: Es ist der Wert, den die Szene hat.</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s², not %2
+
+So it is when the run begins.</source>
+        <translation>Die Schwerkraft ist %1 m/s², nicht %2
+
+So ist es, wenn der Lauf beginnt.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins; in this step your own scene should have e = %1.</source>
+        <translation>So ist es, wenn der Lauf beginnt; in diesem Schritt soll deine eigene Szene e = %1 haben.</translation>
+    </message>
+    <message>
+        <source>With the e that the step asks for, all that failed would pass.</source>
+        <translation>Mit dem e, das der Schritt verlangt, würde alles bestehen, was nicht bestand.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the way of %who does not depend on Δt</source>
+        <translation>Was die Schwerkraft für %who zum Weg hinzufügt, hängt nicht von Δt ab</translation>
+    </message>
+    <message>
+        <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
+        <translation>In einem Schritt von %1 s behält er davon ebenso viel, das %2-fache: So hängt von Δt ab, was in einer Sekunde geschieht.</translation>
     </message>
 </context>
 <context>

@@ -2052,10 +2052,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Un nombre tient lieu de pesanteur dans le mouvement, pour %who</translation>
     </message>
     <message>
-        <source>In a scene with gravity %1 m/s² it is accelerated by %2 m/s², as in every other. The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
-        <translation>Dans une scène où la pesanteur vaut %1 m/s², l&apos;accélération est de %2 m/s², comme dans toutes les autres. Le nom `gravity` contient la valeur de la scène&#xa0;; cherchez où votre programme a la sienne.</translation>
-    </message>
-    <message>
         <source>Gravity pulls %who in a wrong direction</source>
         <translation>La pesanteur tire dans une mauvaise direction, pour %who</translation>
     </message>
@@ -2108,10 +2104,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La pesanteur n&apos;agit pas sur %who</translation>
     </message>
     <message>
-        <source>In every step gravity must change its velocity: look for the line that does it, and at the conditions in front of it.</source>
-        <translation>À chaque pas, la pesanteur doit changer la vitesse&#xa0;: cherchez la ligne qui le fait, et les conditions devant elle.</translation>
-    </message>
-    <message>
         <source>Gravity pushes %who against its own direction</source>
         <translation>La pesanteur pousse %who dans le sens opposé au sien</translation>
     </message>
@@ -2152,20 +2144,12 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Dans votre propre scène, le premier pas change la vitesse, pour %who</translation>
     </message>
     <message>
-        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at the values that the line takes: are they those of this step, or older?</source>
-        <translation>Au départ elle vaut %1 m/s, et un pas plus tard %2 m/s&#xa0;; rien à heurter n&apos;est proche. Regardez les valeurs que prend la ligne&#xa0;: sont-elles celles de ce pas, ou plus anciennes&#xa0;?</translation>
-    </message>
-    <message>
         <source>%1 g Δt² is asked for.</source>
         <translation>On demande %1 g Δt².</translation>
     </message>
     <message>
         <source>One of these is asked for.</source>
         <translation>L&apos;un de ceux-ci est demandé.</translation>
-    </message>
-    <message>
-        <source>From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its first step. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
-        <translation>Depuis le repos sous la pesanteur %1 m/s², un cercle avance de %2 g Δt² à son premier pas. Euler le déplace avec l&apos;ancienne vitesse, de 0 g Δt²&#xa0;; Euler symplectique avec la nouvelle, de 1 g Δt²&#xa0;; les méthodes exactes de ½ g Δt².</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -2300,14 +2284,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Regardez ce que prend la ligne qui change la position, et les conditions devant elle.</translation>
     </message>
     <message>
-        <source>What changes the velocity of %who asks how it moves</source>
-        <translation>Ce qui change la vitesse dépend du mouvement lui-même, pour %who</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>Sous la pesanteur %1 m/s² et avec la vitesse %2 m/s, elle change de %3 m/s en un pas de %4 s, avec %5 m/s de %6 m/s&#xa0;; il faut %7 et %8 m/s. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
-    </message>
-    <message>
         <source>The way of %who is not multiplied by the timestep</source>
         <translation>Le chemin n&apos;est pas multiplié par le pas de temps, pour %who</translation>
     </message>
@@ -2370,14 +2346,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>The place of %who acts on its velocity otherwise than asked</source>
         <translation>La position agit sur la vitesse autrement que demandé, pour %who</translation>
-    </message>
-    <message>
-        <source>For every metre further out the acceleration changes by %1 m/s²; %2 is right.</source>
-        <translation>Pour chaque mètre de plus vers l&apos;extérieur, l&apos;accélération change de %1 m/s²&#xa0;; il faut %2.</translation>
-    </message>
-    <message>
-        <source>For every m/s of velocity the acceleration is %1 m/s²; %2 is right.</source>
-        <translation>Pour chaque m/s de vitesse, l&apos;accélération est de %1 m/s²&#xa0;; il faut %2.</translation>
     </message>
     <message>
         <source>Something slows %who down on the way</source>
@@ -2892,36 +2860,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Vitesses en m/s, composante normale (suivant la ligne des centres, de 1 vers 2) et composante tangentielle (perpendiculaire)&#xa0;: le cercle 1 est arrivé avec %1, le cercle 2 avec %2&#xa0;; ils sont repartis avec %3 et avec %4&#xa0;; il faut %5 et %6.</translation>
     </message>
     <message>
-        <source>Gravity is %1 m/s², not %2
-
-So it is when the run begins. Look at what `on_load` assigns to `gravity`.</source>
-        <translation>La pesanteur vaut %1 m/s², pas %2
-
-C&apos;est ainsi au début de l&apos;exécution. Regardez ce que `on_load` affecte à `gravity`.</translation>
-    </message>
-    <message>
-        <source>
-
-Look at what `on_load` sets, and for which circle.</source>
-        <translation>
-
-Regardez ce que fixe `on_load`, et pour quel cercle.</translation>
-    </message>
-    <message>
         <source>e = %1 is not the value that is asked for</source>
         <translation>e = %1 n&apos;est pas la valeur demandée</translation>
-    </message>
-    <message>
-        <source>The laws of your program are right; with the e that the step asks for your own scene would pass.</source>
-        <translation>Les lois de votre programme sont justes&#xa0;; avec le e demandé par l&apos;étape, votre propre scène réussirait.</translation>
-    </message>
-    <message>
-        <source>`on_load` does not set `restitution`, so that it is the one that the scene had before.</source>
-        <translation>`on_load` ne fixe pas `restitution`, qui reste donc celle que la scène avait avant.</translation>
-    </message>
-    <message>
-        <source>Look at what `on_load` gives to `restitution`.</source>
-        <translation>Regardez ce que `on_load` donne à `restitution`.</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 m/s is right.</source>
@@ -3189,10 +3129,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Dans votre propre scène, la pesanteur vaut %1 m/s²&#xa0;; la vitesse change de %2 m/s au premier pas et de %3 m/s au deuxième. Regardez ce qui change encore la vitesse, loin de tout choc.</translation>
     </message>
     <message>
-        <source>Look at the conditions in front of the lines that change the velocity.</source>
-        <translation>Regardez les conditions devant les lignes qui changent la vitesse.</translation>
-    </message>
-    <message>
         <source>After a hit the circles still run into each other</source>
         <translation>Après un choc, les cercles continuent de se rapprocher l&apos;un de l&apos;autre</translation>
     </message>
@@ -3279,14 +3215,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>La durée d&apos;un pas est le paramètre de `on_update`&#xa0;; `time` est le temps depuis le départ, et `step` compte les pas.</translation>
-    </message>
-    <message>
-        <source>Between hits the velocity of %who changes</source>
-        <translation>Entre les chocs, la vitesse change, pour %who</translation>
-    </message>
-    <message>
-        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it touches nothing; gravity gives it %4 m/s in a step. Look at what `on_update` does to the velocity besides gravity and hits.</source>
-        <translation>Lancé à %1 m/s, il a %2 m/s un pas de %3 s plus tard, bien qu&apos;il ne touche rien&#xa0;; la pesanteur lui donne %4 m/s par pas. Regardez ce que `on_update` fait de la vitesse, hormis la pesanteur et les chocs.</translation>
     </message>
     <message>
         <source>The velocity does not move %who</source>
@@ -3409,10 +3337,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Quand ils se rencontrent à %1 m/s, le résultat est bon. La loi est la même pour toute vitesse.</translation>
     </message>
     <message>
-        <source>So it is when the run begins; in this step your own scene has e = %1. Look at what `on_load` gives to `restitution`.</source>
-        <translation>C&apos;est ainsi quand l&apos;exécution commence&#xa0;; à cette étape, votre propre scène a e = %1. Regardez ce que `on_load` donne à `restitution`.</translation>
-    </message>
-    <message>
         <source>twice the smaller radius</source>
         <translation>le double du plus petit rayon</translation>
     </message>
@@ -3511,14 +3435,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
         <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a fait demi-tour quand son bord en était distant de %4 à %5 m&#xa0;; à %6 m/s, de %7 à %8 m. C&apos;est le chemin d&apos;une seconde&#xa0;: un pas le fait avancer de v Δt, pas de v.</translation>
-    </message>
-    <message>
-        <source>Of %1 that differ only in when and where they come %2 came out right.</source>
-        <translation>Sur %1 qui ne diffèrent que par le moment et le lieu, %2 se sont bien passés.</translation>
-    </message>
-    <message>
-        <source>Look at the conditions in front of the lines that do it, and at what your program keeps from one step to the next.</source>
-        <translation>Regardez les conditions devant les lignes qui le font, et ce que votre programme garde d&apos;un pas à l&apos;autre.</translation>
     </message>
     <message>
         <source>Gravity acts on %who as it should only %1</source>
@@ -3651,6 +3567,226 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Its velocity still points into the wall: look at what it is worked out from.</source>
         <translation>La vitesse pointe toujours vers la paroi&#xa0;: regardez à partir de quoi elle est calculée.</translation>
+    </message>
+    <message>
+        <source>The flight of %who depends on another circle</source>
+        <translation>Le vol dépend d&apos;un autre cercle, pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later; with every other circle at rest and elsewhere it has %4 m/s.</source>
+        <translation>Parti à %1 m/s, il a %2 m/s deux pas de %3 s plus tard&#xa0;; si tous les autres cercles sont ailleurs et au repos, il a %4 m/s.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the second step of %3 s; with every other circle at rest and elsewhere %4 m.</source>
+        <translation>Parti à %1 m/s, il avance de %2 m au deuxième pas de %3 s&#xa0;; si tous les autres cercles sont ailleurs et au repos, de %4 m.</translation>
+    </message>
+    <message>
+        <source>They are far from each other. Look at what the lines that move one circle take from another, and at what is asked before them.</source>
+        <translation>Ils sont loin l&apos;un de l&apos;autre. Regardez ce que les lignes qui déplacent un cercle prennent d&apos;un autre, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>Of %1 arrivals at walls, here and there, early and late, %2 came out right.</source>
+        <translation>Sur %1 arrivées contre des parois, ici et là, tôt et tard, %2 se sont bien passées.</translation>
+    </message>
+    <message>
+        <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
+        <translation>Sur %1 chocs des deux cercles, ici et là, tôt et tard, %2 se sont bien passés.</translation>
+    </message>
+    <message>
+        <source>Of %1 steps of free flight, here and there, early and late in one run, %2 came out right.</source>
+        <translation>Sur %1 pas de vol libre, ici et là, tôt et tard dans une exécution, %2 se sont bien passés.</translation>
+    </message>
+    <message>
+        <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
+        <translation>Regardez ce qui est demandé avant les lignes qui le font, et ce que votre programme garde d&apos;un pas à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the way of %who goes with Δt, not with Δt²</source>
+        <translation>Ce que la pesanteur ajoute au chemin varie comme Δt, et non comme Δt², pour %who</translation>
+    </message>
+    <message>
+        <source>A way is a length, as g Δt² is; g Δt is a velocity and g an acceleration.</source>
+        <translation>Un chemin est une longueur, comme g Δt²&#xa0;; g Δt est une vitesse et g une accélération.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who by a fixed way besides v Δt</source>
+        <translation>Chaque pas ajoute à v Δt un chemin fixe, pour %who</translation>
+    </message>
+    <message>
+        <source>Whatever Δt, gravity and its velocity are, it goes on by %1 m besides. Look at what is added to the position.</source>
+        <translation>Quels que soient Δt, la pesanteur et la vitesse, %1 m s&apos;y ajoutent. Regardez ce qui est ajouté à la position.</translation>
+    </message>
+    <message>
+        <source>Something besides its own velocity moves %who</source>
+        <translation>Outre la vitesse propre, quelque chose déplace %who</translation>
+    </message>
+    <message>
+        <source>Whatever gravity and its velocity are, it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
+        <translation>Quelles que soient la pesanteur et la vitesse, %1 m/s fois Δt s&apos;y ajoutent. Regardez ce qui est ajouté à la position.</translation>
+    </message>
+    <message>
+        <source>What a step adds to the way of %who besides v Δt is no method&apos;s</source>
+        <translation>Ce qu&apos;un pas ajoute à v Δt n&apos;est d&apos;aucune méthode, pour %who</translation>
+    </message>
+    <message>
+        <source>Besides v Δt it goes %1 m in a step of %2 s under gravity %3 m/s², and %4 m in one of %5 s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt².</source>
+        <translation>Outre v Δt, il avance de %1 m en un pas de %2 s sous la pesanteur %3 m/s², et de %4 m en un pas de %5 s. Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² under %4 m/s².</source>
+        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² sous %4 m/s².</translation>
+    </message>
+    <message>
+        <source>The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
+        <translation>Le nom `gravity` contient la valeur de la scène&#xa0;; cherchez où votre programme a la sienne.</translation>
+    </message>
+    <message>
+        <source>Something besides gravity accelerates %who</source>
+        <translation>Outre la pesanteur, quelque chose accélère %who</translation>
+    </message>
+    <message>
+        <source>Each time that is %1 m/s² more than gravity gives.</source>
+        <translation>C&apos;est à chaque fois %1 m/s² de plus que n&apos;en donne la pesanteur.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who is not that of gravity</source>
+        <translation>L&apos;accélération n&apos;est pas celle de la pesanteur, pour %who</translation>
+    </message>
+    <message>
+        <source>In one of %1 s it changes by %2 m/s, and should by %3 m/s.</source>
+        <translation>En un pas de %1 s, elle change de %2 m/s&#xa0;; il faut %3 m/s.</translation>
+    </message>
+    <message>
+        <source>How gravity acts on %who depends on the timestep</source>
+        <translation>L&apos;effet de la pesanteur sur %who dépend du pas de temps</translation>
+    </message>
+    <message>
+        <source>In every step gravity must change its velocity: look for the line that does it, and at what is asked before it.</source>
+        <translation>À chaque pas, la pesanteur doit changer la vitesse&#xa0;: cherchez la ligne qui le fait, et ce qui est demandé avant elle.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is v Δt only %1</source>
+        <translation>Le chemin d&apos;un pas n&apos;est v Δt que %1, pour %who</translation>
+    </message>
+    <message>
+        <source>At %1 s of that run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>À %1 s de cette exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; il faut %6 m.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
+        <translation>Sous la pesanteur %1 m/s², il avance en un pas de %2 g Δt² outre v Δt. Euler le déplace avec l&apos;ancienne vitesse, de 0 g Δt²&#xa0;; Euler symplectique avec la nouvelle, de 1 g Δt²&#xa0;; les méthodes exactes de ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes although it touches nothing</source>
+        <translation>La vitesse change sans rien toucher, pour %who</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from every wall and every other circle; gravity gives it %4 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>Lancé à %1 m/s, il a %2 m/s un pas de %3 s plus tard, loin de toute paroi et de tout autre cercle&#xa0;; la pesanteur lui donne %4 m/s par pas. Regardez quelles lignes y changent sa vitesse, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>A slower one goes on as it should.</source>
+        <translation>Un cercle plus lent continue comme il faut.</translation>
+    </message>
+    <message>
+        <source>A faster one goes on as it should.</source>
+        <translation>Un cercle plus rapide continue comme il faut.</translation>
+    </message>
+    <message>
+        <source>How the velocity of %who changes depends on the velocity otherwise than asked</source>
+        <translation>Le changement de la vitesse dépend d&apos;elle autrement que demandé, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at what the lines that change the velocity take, and at what is asked before them.</source>
+        <translation>Regardez ce que prennent les lignes qui changent la vitesse, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are right. Look at what the lines that change the velocity take, and at what is asked before them.</source>
+        <translation>Sous la pesanteur %1 m/s² et avec la vitesse %2 m/s, elle change de %3 m/s en un pas de %4 s, avec %5 m/s de %6 m/s&#xa0;; il faut %7 et %8 m/s. Regardez ce que prennent les lignes qui changent la vitesse, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who depends on the place</source>
+        <translation>L&apos;accélération dépend de la position, pour %who</translation>
+    </message>
+    <message>
+        <source>At rest under gravity %1 m/s² it is accelerated by %2 m/s² at %3 m and by %4 m/s² at %5 m; %6 and %7 m/s² are right.</source>
+        <translation>Au repos sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s² à %3 m et de %4 m/s² à %5 m&#xa0;; il faut %6 et %7 m/s².</translation>
+    </message>
+    <message>
+        <source>The velocity of %who changes by itself otherwise than asked</source>
+        <translation>La vitesse agit sur elle-même autrement que demandé, pour %who</translation>
+    </message>
+    <message>
+        <source>Far from everything the velocity of %who turns round in every step</source>
+        <translation>Loin de tout, la vitesse se retourne à chaque pas, pour %who</translation>
+    </message>
+    <message>
+        <source>It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near that it could hit. Look at the lines that turn it, and at what is asked before them: is it true although nothing touches?</source>
+        <translation>Il avait %1 m/s, et %2 m/s un pas de %3 s plus tard&#xa0;; rien à heurter n&apos;était proche. Regardez les lignes qui le retournent, et ce qui est demandé avant elles&#xa0;: est-ce vrai bien que rien ne se touche&#xa0;?</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated by %2 m/s² for every m/s of its velocity; %3 is right.</source>
+        <translation>Avec Δt = %1 s, l&apos;accélération est de %2 m/s² pour chaque m/s de vitesse&#xa0;; il faut %3.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated in x by %2 m/s² for every m/s of its velocity in x; %3 is right.</source>
+        <translation>Avec Δt = %1 s, l&apos;accélération en x est de %2 m/s² pour chaque m/s de vitesse en x&#xa0;; il faut %3.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated in y by %2 m/s² for every m/s of its velocity in y; %3 is right.</source>
+        <translation>Avec Δt = %1 s, l&apos;accélération en y est de %2 m/s² pour chaque m/s de vitesse en y&#xa0;; il faut %3.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is accelerated by %2 m/s² for every m/s of its velocity in x, and by %3 m/s² for every m/s in y; %4 and %5 are right.</source>
+        <translation>Avec Δt = %1 s, l&apos;accélération est de %2 m/s² pour chaque m/s de vitesse en x, et de %3 m/s² pour chaque m/s en y&#xa0;; il faut %4 et %5.</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it is %2 m/s².</source>
+        <translation>Avec Δt = %1 s, c&apos;est %2 m/s².</translation>
+    </message>
+    <message>
+        <source>It starts with %1 m/s, and has %2 m/s one step later; nothing that it could hit is near. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>Au départ elle vaut %1 m/s, et un pas plus tard %2 m/s&#xa0;; rien à heurter n&apos;est proche. Regardez quelles lignes y changent la vitesse, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>It is the value that the scene has.</source>
+        <translation>C&apos;est la valeur que la scène a.</translation>
+    </message>
+    <message>
+        <source>Look at what your program assigns to %1 before the first step.</source>
+        <translation>Regardez ce que votre programme affecte à %1 avant le premier pas.</translation>
+    </message>
+    <message>
+        <source>Behind `local`, %1 is the name of another variable: the scene keeps its own value.</source>
+        <translation>Après `local`, %1 est le nom d&apos;une autre variable&#xa0;: la scène garde sa propre valeur.</translation>
+    </message>
+    <message>
+        <source>Nothing in your program assigns to %1 before the first step: it is the value that the scene has.</source>
+        <translation>Rien dans votre programme n&apos;affecte %1 avant le premier pas&#xa0;: c&apos;est la valeur que la scène a.</translation>
+    </message>
+    <message>
+        <source>Gravity is %1 m/s², not %2
+
+So it is when the run begins.</source>
+        <translation>La pesanteur vaut %1 m/s², pas %2
+
+C&apos;est ainsi au début de l&apos;exécution.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins; in this step your own scene should have e = %1.</source>
+        <translation>C&apos;est ainsi quand l&apos;exécution commence&#xa0;; à cette étape, votre propre scène doit avoir e = %1.</translation>
+    </message>
+    <message>
+        <source>With the e that the step asks for, all that failed would pass.</source>
+        <translation>Avec le e demandé par l&apos;étape, tout ce qui a échoué serait réussi.</translation>
+    </message>
+    <message>
+        <source>What gravity adds to the way of %who does not depend on Δt</source>
+        <translation>Ce que la pesanteur ajoute au chemin ne dépend pas de Δt, pour %who</translation>
+    </message>
+    <message>
+        <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
+        <translation>En un pas de %1 s, il en garde autant, %2 fois&#xa0;: ce qui se passe en une seconde dépend donc de Δt.</translation>
     </message>
 </context>
 <context>

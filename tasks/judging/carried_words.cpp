@@ -100,7 +100,56 @@ public:
     }
 };
 
+/// Judges whether a circle minds where the others are.
+class OthersJudge : FlightComparison
+{
+public:
+    explicit OthersJudge(const FlightComparison &comparison)
+        : FlightComparison(comparison)
+    {
+    }
+
+    [[nodiscard]] std::optional<FlightSaid> others() const
+    {
+        const auto own = m_own.whileOthersRest(gravity(), timestep(), m_i);
+        const auto wanted = m_right.whileOthersRest(gravity(), timestep(), m_i);
+        const Flight::Step &seen = flight(0).seen[0];
+        if (!own || !wanted || isSame(*own, seen) || !isSame(*wanted, right().seen[0]))
+            return std::nullopt;
+        const Vec2 then = own->velocity + own->turn;
+        const Vec2 now = seen.velocity + seen.turn;
+        const bool isTurn = brief(then) != brief(now);
+        if (!isTurn && brief(own->way) == brief(seen.way))
+            return std::nullopt;
+        const QString h = briefTimestep(timestep());
+        return said(
+            FlightText::tr("The flight of %who depends on another circle"),
+            (isTurn ? FlightText::tr("Started with %1 m/s, it has %2 m/s two steps of %3 s later; "
+                                     "with every other circle at rest and elsewhere it has %4 m/s.")
+                          .arg(brief(flight(0).startedWith), brief(now), h, brief(then))
+                    : FlightText::tr("Started with %1 m/s, it goes %2 m in the second step of %3 "
+                                     "s; with every other circle at rest and elsewhere %4 m.")
+                          .arg(brief(flight(0).startedWith), brief(seen.way), h, brief(own->way)))
+                + QLatin1Char(' ')
+                + FlightText::tr("They are far from each other. Look at what the lines that move "
+                                 "one circle take from another, and at what is asked before them."),
+            !isTurn);
+    }
+
+private:
+    static bool isSame(const Flight::Step &a, const Flight::Step &b)
+    {
+        return length(a.velocity - b.velocity) + length(a.way - b.way) + length(a.turn - b.turn)
+               < 1e-8;
+    }
+};
+
 } // namespace
+
+std::optional<FlightSaid> othersSaid(const FlightComparison &comparison)
+{
+    return OthersJudge(comparison).others();
+}
 
 std::optional<FlightSaid> carriedSaid(const FlightComparison &comparison)
 {

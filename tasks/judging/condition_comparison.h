@@ -78,8 +78,8 @@ public:
     }
 
 protected:
-    /// "Of 16 that differ only in when and where they come 9 came out right."
-    static QString counted(const std::vector<Occasion> &when);
+    /// "Of 16 hits of the two circles, here and there, early and late, 9 came out right."
+    static QString counted(Aspect aspect, const std::vector<Occasion> &when);
 
     /// Says \p message first, and nothing that \p isReplaced is true of.
     /// \param place  where it shows, if it is the place that counts

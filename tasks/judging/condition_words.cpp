@@ -4,14 +4,26 @@
 
 namespace cradle {
 
-QString ConditionComparison::counted(const std::vector<Occasion> &when)
+QString ConditionComparison::counted(Aspect aspect, const std::vector<Occasion> &when)
 {
-    return QLatin1String("\n\n")
-           + ConditionText::tr("Of %1 that differ only in when and where they come %2 came out "
-                               "right.")
-                 .arg(when.size())
-                 .arg(rightOnes(when))
-           + QLatin1Char(' ');
+    const auto text = [&] {
+        switch (aspect) {
+        case Aspect::Walls:
+        case Aspect::Course:
+            return ConditionText::tr("Of %1 arrivals at walls, here and there, early and late, %2 "
+                                     "came out right.");
+        case Aspect::Contact:
+        case Aspect::Response:
+            return ConditionText::tr("Of %1 hits of the two circles, here and there, early and "
+                                     "late, %2 came out right.");
+        case Aspect::Start:
+        case Aspect::Motion:
+            break;
+        }
+        return ConditionText::tr("Of %1 steps of free flight, here and there, early and late in "
+                                 "one run, %2 came out right.");
+    }();
+    return QLatin1String("\n\n") + text.arg(when.size()).arg(rightOnes(when)) + QLatin1Char(' ');
 }
 
 void ConditionComparison::add(Aspect aspect, QString message, const Condition &condition,
@@ -21,8 +33,8 @@ void ConditionComparison::add(Aspect aspect, QString message, const Condition &c
     const bool isOfPlace = condition.kind == Kind::Above || condition.kind == Kind::Below
                            || condition.kind == Kind::LeftOf || condition.kind == Kind::RightOf;
     message += QLatin1Char(' ')
-               + ConditionText::tr("Look at the conditions in front of the lines that do it, and "
-                                   "at what your program keeps from one step to the next.");
+               + ConditionText::tr("Look at what is asked before the lines that do it, and at what "
+                                   "your program keeps from one step to the next.");
     message.replace(QLatin1String("%who"), circleNames(circles, m_ground.flights.size()));
     LawDeviation said{.aspect = aspect,
                       .message = message,

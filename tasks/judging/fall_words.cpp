@@ -9,10 +9,6 @@ namespace {
 
 using Kind = TimestepPattern::Kind;
 
-// Of MeasuredFlight::Own::unsteadiness().
-constexpr double steady = 0.02; ///< a fall, at most
-constexpr double once = 0.5;    ///< what comes again, if less, at most
-
 class FallJudge : FlightComparison
 {
 public:
@@ -23,14 +19,11 @@ public:
 
     [[nodiscard]] std::optional<FlightSaid> fall() const
     {
-        if (auto number = numberForGravity())
-            return number;
         for (const Vec2 g : m_ground.gravities) {
             if (auto fault = fallUnder(g))
                 return fault;
         }
-        const auto copy = ownFall();
-        return copy ? copy : ownStart();
+        return heavierSaid(*this, gravity());
     }
 
     /// A fall so strong that it ends at a wall within the flights: measured under weaker gravity.
@@ -53,51 +46,25 @@ private:
     static constexpr double farInAStep = 0.5; ///< m, a small part of the square
     static constexpr double weak = 1e-3;
 
-    /// The same acceleration, whatever gravity is.
-    [[nodiscard]] std::optional<FlightSaid> numberForGravity() const
-    {
-        for (const Vec2 g : m_ground.gravities) {
-            const Vec2 own = m_own.at(g, timestep(), m_i).acceleration;
-            const Vec2 right = m_right.at(g, timestep(), m_i).acceleration;
-            const bool same =
-                std::all_of(m_ground.gravities.begin(), m_ground.gravities.end(), [&](Vec2 other) {
-                    return isAlike(m_own.at(other, timestep(), m_i).acceleration, own, wrong);
-                });
-            if (!same || (m_ground.gravities.size() < 2 && g != Vec2{}) || length(own) < wrong
-                || length(own - right) < wrong)
-                continue;
-            return FlightSaid{
-                FlightText::tr("A number stands for gravity in the motion of %who"),
-                FlightText::tr("In a scene with gravity %1 m/s² it is accelerated by %2 "
-                               "m/s², as in every other. The name `gravity` holds the "
-                               "value of the scene; look where your program has one of "
-                               "its own.")
-                    .arg(brief(g), brief(own)),
-                moment(false, g)};
-        }
-        return std::nullopt;
-    }
+    [[nodiscard]] Vec2 own(Vec2 g) const { return m_own.at(g, timestep(), m_i).acceleration; }
+    [[nodiscard]] Vec2 wanted(Vec2 g) const { return m_right.at(g, timestep(), m_i).acceleration; }
 
     [[nodiscard]] std::optional<FlightSaid> fallUnder(Vec2 g) const
     {
-        const Vec2 right = m_right.at(g, timestep(), m_i).acceleration;
-        const Vec2 own = m_own.at(g, timestep(), m_i).acceleration;
+        const Vec2 right = wanted(g);
         if (length(right) < wrong)
-            return std::nullopt;
+            return length(own(g)) < wrong ? std::nullopt : std::optional(besides(g));
         const Vec2 down = normalized(right);
         const auto pull = [&](const Flight &f) { return dot(f.acceleration, down); };
         const auto p = pattern(g, pull);
-        const Vec2 sideways = own - dot(own, down) * down;
-        if (length(sideways) > wrong * length(right))
-            return FlightSaid{
-                FlightText::tr("Gravity pulls %who in a wrong direction"),
-                FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a "
-                               "step of %3 s; it should change by %4 m/s.")
-                    .arg(brief(g), brief(timestep() * own), briefTimestep(timestep()),
-                         brief(timestep() * right)),
-                moment(false, g)};
-        if (isRight(p) || isBlurred(g, pull))
+        const bool isSideways = length(own(g) - dot(own(g), down) * down) > wrong * length(right);
+        if (!isSideways && (isRight(p) || isBlurred(g, pull)))
             return std::nullopt;
+        if (!isProportional(g))
+            return besides(g);
+        if (isSideways)
+            return FlightSaid{FlightText::tr("Gravity pulls %who in a wrong direction"),
+                              turnUnder(g, timestep()), moment(false, g)};
         if (isOnPosition(g))
             return FlightSaid{
                 FlightText::tr("Gravity moves %who at once and changes no velocity"),
@@ -108,38 +75,66 @@ private:
                     .arg(brief(g), brief(m_own.at(g, timestep(), m_i).drift),
                          briefTimestep(timestep())),
                 moment(true, g)};
-        if (const auto fault = heavierFall(g))
+        if (const auto fault = heavierSaid(*this, g))
             return fault;
-        const auto [headline, where] = fallWords(p);
-        const double h = m_ground.timesteps[shownTimestep(p)];
-        FlightSaid fault{headline,
-                         FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a "
-                                        "step of %3 s; it should change by %4 m/s.")
-                                 .arg(brief(g), brief(h * m_own.at(g, h, m_i).acceleration),
-                                      briefTimestep(h),
-                                      brief(h * m_right.at(g, h, m_i).acceleration))
-                             + QLatin1Char(' ') + where,
-                         moment(false, g)};
+        const auto [headline, where] = fallWords(p, g, pull);
+        FlightSaid fault{
+            headline, turnUnder(g, m_ground.timesteps[shownTimestep(p)]) + QLatin1Char(' ') + where,
+            moment(false, g)};
         if (p.kind == TimestepPattern::Kind::Constant && std::abs(p.value) < wrong)
             fault.suspect = Suspect::Omission;
         return fault;
     }
 
-    /// The same circle, heavier than the others.
-    [[nodiscard]] std::optional<FlightSaid> heavierFall(Vec2 g) const
+    [[nodiscard]] QString turnUnder(Vec2 g, double h) const
     {
-        const Vec2 own = m_own.at(g, timestep(), m_i).acceleration;
-        const auto heavier = m_own.heavierFall(g, timestep(), m_i);
-        if (!heavier || isAlike(*heavier, own, 0.01))
-            return std::nullopt;
-        return FlightSaid{
-            FlightText::tr("Gravity does not act alike on light and heavy ones (%who)"),
-            FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² "
-                           "when its radius is 1.25 times and its density 1.5 times as large. "
-                           "Gravity is an acceleration already: all bodies fall alike, whatever "
-                           "they weigh.")
-                .arg(brief(g), brief(own), brief(*heavier)),
-            moment(false, g)};
+        return FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a step of "
+                              "%3 s; it should change by %4 m/s.")
+            .arg(brief(g), brief(h * m_own.at(g, h, m_i).acceleration), briefTimestep(h),
+                 brief(h * m_right.at(g, h, m_i).acceleration));
+    }
+
+    /// Another gravity of the same direction: one of the step's, if there is one.
+    [[nodiscard]] Vec2 otherGravity(Vec2 g) const
+    {
+        if (g == Vec2{})
+            return {0.0, -2.0};
+        const auto &all = m_ground.gravities;
+        const auto other = std::find_if(all.begin(), all.end(), [&](Vec2 each) {
+            return each != g && each != Vec2{} && std::abs(cross(each, g)) < 1e-9;
+        });
+        return other == all.end() ? 0.5 * g : *other;
+    }
+
+    /// Whether what it makes of gravity \p g is the same share of another one.
+    [[nodiscard]] bool isProportional(Vec2 g) const
+    {
+        const Vec2 other = otherGravity(g);
+        return isAlike(own(g) / length(wanted(g)), own(other) / length(wanted(other)), 10 * wrong);
+    }
+
+    /// What is no share of gravity.
+    [[nodiscard]] FlightSaid besides(Vec2 g) const
+    {
+        const Vec2 other = otherGravity(g);
+        const QString seen = FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², "
+                                            "and by %3 m/s² under %4 m/s².")
+                                 .arg(brief(g), brief(own(g)), brief(own(other)), brief(other));
+        if (isAlike(own(g), own(other), wrong))
+            return {FlightText::tr("A number stands for gravity in the motion of %who"),
+                    seen + QLatin1Char(' ')
+                        + FlightText::tr("The name `gravity` holds the value of the scene; look "
+                                         "where your program has one of its own."),
+                    moment(false, g)};
+        const Vec2 more = own(g) - wanted(g);
+        if (isAlike(more, own(other) - wanted(other), wrong))
+            return {FlightText::tr("Something besides gravity accelerates %who"),
+                    seen + QLatin1Char(' ')
+                        + FlightText::tr("Each time that is %1 m/s² more than gravity gives.")
+                              .arg(brief(more)),
+                    moment(false, g)};
+        return {FlightText::tr("The acceleration of %who is not that of gravity"), seen,
+                moment(false, g)};
     }
 
     /// Whether gravity changes the place at once, and the velocity not at all.
@@ -149,7 +144,23 @@ private:
         return length(f.acceleration) < wrong && dot(f.drift, g) > 1e-9 * lengthSquared(g);
     }
 
-    static std::pair<QString, QString> fallWords(const TimestepPattern &p)
+    /// What depends on the timestep as no other law does, told at another one.
+    [[nodiscard]] QString atAnotherTimestep(Vec2 g, const Part &pull) const
+    {
+        const auto &all = m_ground.timesteps;
+        const auto factor = [&](double h) {
+            return pull(m_own.at(g, h, m_i)) / pull(m_right.at(g, h, m_i));
+        };
+        const auto other = std::find_if(all.begin(), all.end(), [&](double h) {
+            return !isAlike(factor(h), factor(timestep()), wrong);
+        });
+        return FlightText::tr("In one of %1 s it changes by %2 m/s, and should by %3 m/s.")
+            .arg(briefTimestep(*other), brief(*other * m_own.at(g, *other, m_i).acceleration),
+                 brief(*other * m_right.at(g, *other, m_i).acceleration));
+    }
+
+    [[nodiscard]] std::pair<QString, QString> fallWords(const TimestepPattern &p, Vec2 g,
+                                                        const Part &pull) const
     {
         switch (p.kind) {
         case Kind::Forgotten:
@@ -165,14 +176,16 @@ private:
                     FlightText::tr("Whatever Δt is, gravity acts for %1 s. Take the parameter of "
                                    "`on_update`.")
                         .arg(briefTimestep(p.value))};
-        case Kind::Constant:
         case Kind::Other:
+            return {FlightText::tr("How gravity acts on %who depends on the timestep"),
+                    atAnotherTimestep(g, pull)};
+        case Kind::Constant:
             break;
         }
         if (std::abs(p.value) < wrong)
             return {FlightText::tr("Gravity does not act on %who"),
                     FlightText::tr("In every step gravity must change its velocity: look for the "
-                                   "line that does it, and at the conditions in front of it.")};
+                                   "line that does it, and at what is asked before it.")};
         if (std::abs(p.value + 1.0) < wrong)
             return {FlightText::tr("Gravity pushes %who against its own direction"),
                     FlightText::tr("Look at the signs.")};
@@ -186,88 +199,6 @@ private:
         return {FlightText::tr("Gravity on %who is %1 times as strong as it should be")
                     .arg(brief(p.value)),
                 FlightText::tr("Look at the factors in the line that changes the velocity.")};
-    }
-
-    /// The own scene must fall as all others do: else a copy of gravity is older than gravity.
-    [[nodiscard]] std::optional<FlightSaid> ownFall() const
-    {
-        const MeasuredFlight::Own &own = m_own.own();
-        const auto i = static_cast<std::size_t>(m_i);
-        if (!own.runs || i >= own.accelerations.size())
-            return std::nullopt;
-        const Vec2 right = own.scene.gravity;
-        const Vec2 braked = flight(0).growth;
-        const Vec2 v = own.scene.circles[i].body.velocity;
-        const Vec2 fallen = own.accelerations[i] - Vec2{braked.x * v.x, braked.y * v.y};
-        const bool isAsked = std::find(m_ground.gravities.begin(), m_ground.gravities.end(), right)
-                             != m_ground.gravities.end();
-        const double blur = 1e-6 + growthBlur(0);
-        if (!isAsked || own.unsteadiness(i) > once
-            || length(fallen - right) < blur * (1.0 + length(right))
-            || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
-            return std::nullopt;
-        if (const auto fault = heavierFall(right))
-            return fault;
-        if (own.unsteadiness(i) > steady)
-            return FlightSaid{
-                FlightText::tr("The fall of %who is not that of the gravity in the scene"),
-                FlightText::tr("In your own scene gravity is %1 m/s²; the velocity changes by %2 "
-                               "m/s in the first step and by %3 m/s in the second. Look at what "
-                               "else changes the velocity, away from any hit.")
-                    .arg(brief(right), brief(own.scene.timestep * own.accelerations[i]),
-                         brief(own.scene.timestep * own.later[i])),
-                {{m_ground.own, false}, 1, {m_i}, false}};
-        return FlightSaid{
-            FlightText::tr("The fall of %who is not that of the gravity in the scene"),
-            FlightText::tr("In your own scene gravity is %1 m/s², and the velocity changes "
-                           "by %2 m/s in a second. A copy of gravity keeps the value of "
-                           "the moment when it was made: before or after `on_load` has "
-                           "set it?")
-                .arg(brief(right), brief(own.accelerations[i])),
-            {{m_ground.own, false}, 1, {m_i}, false},
-            false,
-            Suspect::Copy};
-    }
-
-    /// The first step of the own scene must not change what nothing is near to.
-    [[nodiscard]] std::optional<FlightSaid> ownStart() const
-    {
-        const MeasuredFlight::Own &own = m_own.own();
-        const auto i = static_cast<std::size_t>(m_i);
-        if (!own.runs || i >= own.accelerations.size() || own.unsteadiness(i) <= once
-            || !isAlone(own.scene, i))
-            return std::nullopt;
-        const double h = own.scene.timestep;
-        const Vec2 v = own.scene.circles[i].body.velocity;
-        const Vec2 turn = h * own.accelerations[i];
-        const Vec2 fall = h * m_right.at(own.scene.gravity, h, m_i).acceleration;
-        if (length(turn - fall) < 0.2 * length(v) + 2.0 * length(fall))
-            return std::nullopt;
-        return FlightSaid{
-            FlightText::tr("In your own scene the first step changes the velocity of %who"),
-            FlightText::tr("It starts with %1 m/s, and has %2 m/s one step later; nothing that it "
-                           "could hit is near. Look at the values that the line takes: are they "
-                           "those of this step, or older?")
-                .arg(brief(v), brief(v + turn)),
-            {{m_ground.own, false}, 1, {m_i}, false}};
-    }
-
-    /// Whether circle \p i comes near no wall and no other circle in the first two steps.
-    static bool isAlone(const Preset &scene, std::size_t i)
-    {
-        const auto reach = [&](const Circle &c) {
-            return c.radius + 4.0 * length(c.velocity) * scene.timestep;
-        };
-        const Circle &c = scene.circles[i].body;
-        const double most = std::max(std::abs(c.position.x), std::abs(c.position.y));
-        if (most > scene.halfWidth - reach(c))
-            return false;
-        for (std::size_t k = 0; k < scene.circles.size(); ++k) {
-            const Circle &other = scene.circles[k].body;
-            if (k != i && length(other.position - c.position) < reach(c) + reach(other))
-                return false;
-        }
-        return true;
     }
 };
 

@@ -87,7 +87,7 @@ private:
         for (std::size_t i = 0; i < m_ground.flights.size(); ++i) {
             const Flight &flight = m_own.flight().at(
                 m_ground.gravities.front(), m_ground.timesteps.front(), static_cast<int>(i));
-            if (!flight.isKnown || (flight.leap && !flight.leap->isFast))
+            if (!flight.isKnown || (flight.leap && flight.leap->speed != Flight::Speed::Fast))
                 return false;
         }
         if (m_ground.walls.circles.empty() || m_deviations.of(m_own, Aspect::Motion).size() != 1)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/judging/deviation.h"
+#include "tasks/judging/flight_scenes.h"
 #include "tasks/judging/measured_flight.h"
 
 #include <QCoreApplication>
@@ -129,13 +130,28 @@ protected:
 /// Whether velocity and place do not follow from those before, or not from the circle's own.
 [[nodiscard]] std::optional<FlightSaid> carriedSaid(const FlightComparison &comparison);
 
+/// Whether it moves otherwise while the others are elsewhere.
+[[nodiscard]] std::optional<FlightSaid> othersSaid(const FlightComparison &comparison);
+
 /// What is wrong with the way of a circle in a step; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
 
 /// What is wrong with the fall of a circle under gravity; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> fallSaid(const FlightComparison &comparison);
+/// Whether a heavier circle falls otherwise.
+[[nodiscard]] std::optional<FlightSaid> heavierSaid(const FlightComparison &comparison,
+                                                    Vec2 gravity);
 /// The same where it is so strong that nothing else can be told of the flights.
 [[nodiscard]] std::optional<FlightSaid> strongFallSaid(const FlightComparison &comparison);
+/// What is odd in the student's own scene alone.
+[[nodiscard]] std::optional<FlightSaid> ownSceneSaid(const FlightComparison &comparison);
+
+/// Whether its place, or its velocity, changes its velocity otherwise than asked.
+[[nodiscard]] std::optional<FlightSaid> pullSaid(const FlightComparison &comparison);
+[[nodiscard]] std::optional<FlightSaid> turnsRoundSaid(const FlightComparison &comparison);
+[[nodiscard]] std::optional<FlightSaid> growthSaid(const FlightComparison &comparison);
+/// Whether a step adds something to the place that is no share of g Δt², which no method does.
+[[nodiscard]] std::optional<FlightSaid> driftSaid(const FlightComparison &comparison);
 /// Whether the circle moves by another integrator than those that are asked for.
 /// \param isFallRight  else only a method that is known and is none of those asked for
 [[nodiscard]] std::optional<FlightSaid> methodSaid(const FlightComparison &comparison,

@@ -17,65 +17,125 @@ public:
 
     [[nodiscard]] ConditionedAspect judge()
     {
-        judgeFlight();
+        sayTurns();
+        if (m_said.deviations.empty() || !m_said.deviations.front().isConditional)
+            sayWays();
         return std::move(m_said);
     }
 
 private:
-    void judgeFlight()
+    /// What the reference makes of \p seen.
+    [[nodiscard]] Motion wantedOf(const FlightOccasion &seen) const
+    {
+        return m_right.flight()
+            .at(m_ground.gravities.front(), timestep(), seen.circle)
+            .after(seen.before, timestep());
+    }
+    [[nodiscard]] double timestep() const { return m_ground.stage().timestep; }
+
+    [[nodiscard]] bool isNearWall(const FlightOccasion &seen) const
+    {
+        const Vec2 p = seen.before.position;
+        return std::max(std::abs(p.x), std::abs(p.y))
+               > m_ground.stage().halfWidth - 5.0 * seen.before.radius;
+    }
+
+    /// The steps of circles that do not always make them rightly.
+    template <class Takes, class IsRight>
+    [[nodiscard]] Series<FlightOccasion> mixed(Takes takes, IsRight isRight) const
     {
         Series<FlightOccasion> series;
-        const double h = m_ground.stage().timestep;
-        const auto wantedOf = [&](const FlightOccasion &seen) {
-            return m_right.flight()
-                .at(m_ground.gravities.front(), h, seen.circle)
-                .after(seen.before, h);
-        };
         for (const FlightOccasion &seen : m_own.flightAgain()) {
-            const Flight &flight = m_own.flight().at(m_ground.gravities.front(), h, seen.circle);
-            if (!m_ground.flights[static_cast<std::size_t>(seen.circle)].asked
-                || (!flight.isKnown && flight.isTimeless))
-                continue;
-            const Vec2 off = seen.after.velocity - wantedOf(seen).velocity;
-            // What turns or stops it near a wall is no fault of its flight.
-            const Vec2 p = seen.before.position;
-            const bool isNearWall = std::max(std::abs(p.x), std::abs(p.y))
-                                    > m_ground.stage().halfWidth - 5.0 * seen.before.radius;
-            if (isNearWall && length(off) > 0.5 * length(seen.before.velocity))
-                continue;
-            series.add(seen, seen, length(off) < 1e-6 * (1.0 + length(seen.before.velocity)));
+            const Flight &flight =
+                m_own.flight().at(m_ground.gravities.front(), timestep(), seen.circle);
+            if (m_ground.flights[static_cast<std::size_t>(seen.circle)].asked
+                && (flight.isKnown || !flight.isTimeless) && takes(seen))
+                series.add(seen, seen, isRight(seen));
         }
         const std::vector<int> circles =
             series.wrongCircles([](const FlightOccasion &seen) { return seen.circle; });
-        series = series.those([&](const FlightOccasion &seen) {
+        return series.those([&](const FlightOccasion &seen) {
             return std::find(circles.begin(), circles.end(), seen.circle) != circles.end();
         });
+    }
+
+    /// What divides the right ones from the others; else something may be hit that is not there.
+    static std::optional<Condition> dividing(const Series<FlightOccasion> &series)
+    {
         const auto condition = conditionOf(series.when);
-        // Else something may be hit that is not there.
-        if (!condition || condition->kind == Condition::Kind::Sometimes
-            || condition->kind == Condition::Kind::Setting)
+        const bool isDivided = condition && condition->kind != Condition::Kind::Sometimes
+                               && condition->kind != Condition::Kind::Setting;
+        return isDivided ? condition : std::nullopt;
+    }
+
+    void sayTurns()
+    {
+        const auto off = [&](const FlightOccasion &seen) {
+            return length(seen.after.velocity - wantedOf(seen).velocity);
+        };
+        const auto series = mixed(
+            [&](const FlightOccasion &seen) {
+                // What turns or stops it near a wall is no fault of its flight.
+                return !isNearWall(seen) || off(seen) <= 0.5 * length(seen.before.velocity);
+            },
+            [&](const FlightOccasion &seen) {
+                return off(seen) < 1e-6 * (1.0 + length(seen.before.velocity));
+            });
+        const auto condition = dividing(series);
+        if (!condition)
             return;
         const FlightOccasion &seen = *series.firstWrong().own;
         const Vec2 was = seen.after.velocity - seen.before.velocity;
         const Vec2 wanted = wantedOf(seen).velocity - seen.before.velocity;
         const bool isFall =
             wanted != Vec2{} && std::abs(cross(was, wanted)) < 1e-6 * length(wanted);
+        sayOf(series, *condition,
+              isFall ? ConditionText::tr("Gravity acts on %who as it should only %1")
+                     : ConditionText::tr("The velocity of %who changes as it should only %1"),
+              ConditionText::tr("At %1 s of that run circle %2, at %3 m and far from all others, "
+                                "changed its velocity by %4 m/s in a step of %5 s; %6 m/s is "
+                                "right."),
+              was, wanted);
+    }
+
+    void sayWays()
+    {
+        // Whichever method moves it.
+        const double ofMethods =
+            1.01 * length(m_ground.gravities.front()) * timestep() * timestep();
+        const auto series = mixed([&](const FlightOccasion &seen) { return !isNearWall(seen); },
+                                  [&](const FlightOccasion &seen) {
+                                      return length(seen.after.position - wantedOf(seen).position)
+                                             < 1e-6 + ofMethods;
+                                  });
+        const auto condition = dividing(series);
+        if (!condition)
+            return;
+        const FlightOccasion &seen = *series.firstWrong().own;
+        sayOf(series, *condition, ConditionText::tr("The way of %who in a step is v Δt only %1"),
+              ConditionText::tr("At %1 s of that run circle %2, at %3 m and far from all others, "
+                                "went %4 m in a step of %5 s; %6 m is right."),
+              seen.after.position - seen.before.position,
+              wantedOf(seen).position - seen.before.position, true);
+    }
+
+    /// \param text  of the first wrong one, with what \p was seen and what was \p wanted
+    void sayOf(const Series<FlightOccasion> &series, const Condition &condition,
+               const QString &headline, const QString &text, Vec2 was, Vec2 wanted,
+               bool isPosition = false)
+    {
+        const FlightOccasion &seen = *series.firstWrong().own;
         Preset stage = m_ground.stage();
         stage.gravity = m_ground.gravities.front();
         stage.circles[static_cast<std::size_t>(seen.circle)].body = seen.before;
         say(Aspect::Motion,
-            (isFall ? ConditionText::tr("Gravity acts on %who as it should only %1")
-                    : ConditionText::tr("The velocity of %who changes as it should only %1"))
-                    .arg(phraseOf(*condition))
-                + counted(series.when)
-                + ConditionText::tr("At %1 s of that run circle %2, at %3 m and far from all "
-                                    "others, changed its velocity by %4 m/s in a step of %5 s; "
-                                    "%6 m/s is right.")
-                      .arg(brief(seen.when.time))
+            headline.arg(phraseOf(condition)) + counted(Aspect::Motion, series.when)
+                + text.arg(brief(seen.when.time))
                       .arg(seen.circle + 1)
-                      .arg(brief(seen.before.position), brief(was), briefTimestep(h),
+                      .arg(brief(seen.before.position), brief(was), briefTimestep(timestep()),
                            brief(wanted)),
-            *condition, circles, {.stage = {stage, true}},
+            condition, series.wrongCircles([](const FlightOccasion &one) { return one.circle; }),
+            {.stage = {stage, true}, .isPosition = isPosition},
             [](const LawDeviation &) { return true; });
     }
 };

@@ -31,10 +31,9 @@ public:
                     : FlightText::tr("One of these is asked for.");
             return FlightSaid{
                 headlineOf(*share, shares),
-                FlightText::tr("From rest under gravity %1 m/s² a circle moves by %2 g Δt² in its "
-                               "first step. Euler moves it with the old velocity, by 0 g Δt²; "
-                               "symplectic Euler with the new one, by 1 g Δt²; the exact methods "
-                               "by ½ g Δt².")
+                FlightText::tr("Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides "
+                               "v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic "
+                               "Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².")
                         .arg(brief(g), brief(*share))
                     + QLatin1Char(' ') + asked,
                 moment(true, g), true};

@@ -91,25 +91,43 @@ void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t
     flight.lateFirstWay = late.before[i].position - late.start[i].position;
 }
 
+std::optional<Flight::Step> secondStep(const Steps &run, std::size_t i)
+{
+    if (!run.made)
+        return std::nullopt;
+    const Circle &before = run.before[i];
+    const Circle &after = run.after[i];
+    return Flight::Step{before.velocity, after.position - before.position,
+                        after.velocity - before.velocity};
+}
+
+/// What is fast must go as far by its velocity as what is not.
+void readFastWay(Flight &flight, const Steps &run, double h, std::size_t i)
+{
+    const auto step = secondStep(run, i);
+    if (!step || length(run.after[i].position - flight.after(run.before[i], h).position) <= 1e-6)
+        return;
+    flight.isWayLinear = false;
+    flight.isKnown = false;
+    flight.seen[1] = *step;
+}
+
 /// What falls fast must get the same from gravity as what does not.
 void readFastFall(Flight &flight, const Steps &falling, double h, std::size_t i)
 {
-    if (!falling.made)
-        return;
-    const Circle &before = falling.before[i];
-    const Vec2 turn = falling.after[i].velocity - before.velocity;
-    const Vec2 expected = flight.after(before, h).velocity - before.velocity;
+    const auto step = secondStep(falling, i);
     // Only what gravity gives: anything else shows in the first step.
-    if (length(turn) > 1e-9 || length(turn - expected) <= 1e-6)
+    if (!step || length(step->turn) > 1e-9
+        || length(falling.after[i].velocity - flight.after(falling.before[i], h).velocity) <= 1e-6)
         return;
     flight.isTurnLinear = false;
     flight.isKnown = false;
-    flight.seen[1] = {before.velocity, falling.after[i].position - before.position, turn};
+    flight.seen[1] = *step;
 }
 
 /// What the first step of a flight makes of its velocity, if it is not what the next ones do.
 std::optional<Flight::Leap> leapOf(const Flight &flight, const Steps &run, double h, std::size_t i,
-                                   bool isFast)
+                                   Flight::Speed speed = Flight::Speed::Any)
 {
     if (!run.made)
         return std::nullopt;
@@ -118,7 +136,7 @@ std::optional<Flight::Leap> leapOf(const Flight &flight, const Steps &run, doubl
     const Vec2 expected = flight.after(run.start[i], h).velocity;
     const Vec2 is = run.before[i].velocity;
     return length(is - expected) > slack
-               ? std::optional(Flight::Leap{run.start[i].velocity, is, isFast})
+               ? std::optional(Flight::Leap{run.start[i].velocity, is, speed})
                : std::nullopt;
 }
 
@@ -157,6 +175,7 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         !ground.timesteps.empty() && h != ground.timesteps.front()
         && std::find(ground.timesteps.begin(), ground.timesteps.end(), h) != ground.timesteps.end();
     const Steps quick = isFurther ? Steps() : run(Scene::Fast);
+    const Steps creeping = isFurther ? Steps() : run(Scene::Slow);
     const Steps falling = isFurther || gravity == Vec2{} ? Steps() : run(Scene::Falling);
     const Steps late =
         isFurther ? Steps()
@@ -165,7 +184,7 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         // A program may stop where a circle rests, and tell enough where it moves.
         for (std::size_t i = 0; i < flights.size(); ++i) {
             flights[i].acceleration = gravity;
-            flights[i].leap = leapOf(flights[i], first, h, i, false);
+            flights[i].leap = leapOf(flights[i], first, h, i);
         }
         return flights;
     }
@@ -177,14 +196,18 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         flights[i].isKnown = flights[i].isKnown && flights[i].follows < 0 && flights[i].borrows < 0
                              && flights[i].isTimeless;
         if (flights[i].isKnown) {
-            flights[i].leap = leapOf(flights[i], first, h, i, false);
+            flights[i].leap = leapOf(flights[i], first, h, i);
             if (!flights[i].leap)
-                flights[i].leap = leapOf(flights[i], second, h, i, false);
+                flights[i].leap = leapOf(flights[i], second, h, i);
             flights[i].isKnown = !flights[i].leap;
             if (flights[i].isKnown)
                 readFastFall(flights[i], falling, h, i);
             if (!flights[i].leap)
-                flights[i].leap = leapOf(flights[i], quick, h, i, true);
+                flights[i].leap = leapOf(flights[i], quick, h, i, Flight::Speed::Fast);
+            if (!flights[i].leap)
+                flights[i].leap = leapOf(flights[i], creeping, h, i, Flight::Speed::Slow);
+            if (!flights[i].leap)
+                readFastWay(flights[i], quick, h, i);
         }
         if (flights[i].resets || flights[i].resetsX || flights[i].resetsY)
             flights[i].onlySlow =
@@ -195,21 +218,28 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
     return flights;
 }
 
-std::optional<Vec2> measureHeavierFall(const QString *program, const Ground &ground, Vec2 gravity,
-                                       double h, std::size_t i)
+std::optional<Flight::Step> measureHeavierFall(const QString *program, const Ground &ground,
+                                               Vec2 gravity, double h, std::size_t i)
 {
     Preset preset = flightPreset(ground, gravity, h, Scene::Rest);
     // The others stay as they are: its fall may hang on their masses, too.
     preset.circles[i].body.radius *= 1.25;
     preset.circles[i].body.density *= 1.5;
-    const Steps steps = fly(program, preset);
-    return steps.made ? std::optional((steps.after[i].velocity - steps.before[i].velocity) / h)
-                      : std::nullopt;
+    return secondStep(fly(program, preset), i);
 }
 
-Stage flightStage(const Ground &ground, Vec2 gravity, double h, bool fast)
+std::optional<Flight::Step> measureWhileOthersRest(const QString *program, const Ground &ground,
+                                                   Vec2 gravity, double h, std::size_t i)
 {
-    return {flightPreset(ground, gravity, h, fast ? Scene::Fast : Scene::First), true};
+    return secondStep(fly(program, flightPreset(ground, gravity, h, Scene::Apart, i)), i);
+}
+
+Stage flightStage(const Ground &ground, Vec2 gravity, double h, Flight::Speed speed)
+{
+    const Scene scene = speed == Flight::Speed::Fast   ? Scene::Fast
+                        : speed == Flight::Speed::Slow ? Scene::Slow
+                                                       : Scene::First;
+    return {flightPreset(ground, gravity, h, scene), true};
 }
 
 } // namespace cradle

@@ -45,11 +45,13 @@ struct Flight {
     Vec2 lateVelocity{};    ///< after the first of such steps, m/s
     Vec2 firstWay{};        ///< of the first step of a run, m
     Vec2 lateFirstWay{};    ///< and of the first of the late ones, m
+    /// Which flights show something: any, or only those that are fast, or slow.
+    enum class Speed { Any, Fast, Slow };
     /// A flight whose first step changes its velocity otherwise than later ones do.
     struct Leap {
-        Vec2 from{};         ///< velocity, m/s
-        Vec2 to{};           ///< m/s
-        bool isFast = false; ///< only one that is fast
+        Vec2 from{}; ///< velocity, m/s
+        Vec2 to{};   ///< m/s
+        Speed speed = Speed::Any;
     };
     std::optional<Leap> leap{};
     bool isWayOfNew = false;  ///< the way is that of the velocity at the end of the step
@@ -57,7 +59,8 @@ struct Flight {
     bool isWayLinear = true;  ///< no flight contradicts that its way is such a share
     bool isTurnLinear = true; ///< nor the change of its velocity
     Crossing crossing = Crossing::None;
-    std::array<Step, 2> seen{}; ///< of two flights
+    std::array<Step, 2> seen{}; ///< of two flights that show it
+    Vec2 restedAt{};            ///< place from which the acceleration of one at rest was seen, m
     Vec2 startedWith{};         ///< velocity, for words about it, m/s
     Vec2 turnedInto{};          ///< what became of that in the first step, m/s
     Vec2 wayMade{};             ///< and how far it went in the second, m
@@ -72,13 +75,21 @@ struct Flight {
 [[nodiscard]] std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
                                                  Vec2 gravity, double h);
 
-/// One scene of such a flight, to be shown: all circles move.
-/// \param fast  with high velocities
-[[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h, bool fast = false);
+/// The second step of a circle \p i that starts as in the first of those flights, while all others
+/// rest elsewhere.
+[[nodiscard]] std::optional<Flight::Step> measureWhileOthersRest(const QString *program,
+                                                                 const Ground &ground, Vec2 gravity,
+                                                                 double h, std::size_t i);
 
-/// The acceleration of a circle \p i at rest that is wider and denser than the others and those
-/// of measureFlights(), m/s².
-[[nodiscard]] std::optional<Vec2> measureHeavierFall(const QString *program, const Ground &ground,
-                                                     Vec2 gravity, double h, std::size_t i);
+/// One scene of such a flight, to be shown: all circles move.
+/// \param speed  of the circles
+[[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h,
+                                Flight::Speed speed = Flight::Speed::Any);
+
+/// The second step of a circle \p i that starts at rest and is wider and denser than the others and
+/// those of measureFlights().
+[[nodiscard]] std::optional<Flight::Step> measureHeavierFall(const QString *program,
+                                                             const Ground &ground, Vec2 gravity,
+                                                             double h, std::size_t i);
 
 } // namespace cradle

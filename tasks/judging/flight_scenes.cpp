@@ -18,8 +18,12 @@ Vec2 velocityOf(int flight, std::size_t circle)
     return {v.x * (1.0 + 0.11 * round), v.y * (1.0 - 0.07 * round)};
 }
 
-/// How much faster the circles are in Scene::Fast than in Scene::First.
+/// How much faster the circles are in Scene::Fast than in Scene::First, and how much slower in
+/// Scene::Slow.
 constexpr double fast = 5.0;
+constexpr double slow = 0.17;
+/// How fast those of Scene::Falling come down at least, m/s: as what fell 4 m.
+constexpr double deep = 9.0;
 
 } // namespace
 
@@ -34,11 +38,13 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
             c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
         else if (scene == Scene::Fast)
             c.velocity = fast * velocityOf(0, i);
+        else if (scene == Scene::Slow)
+            c.velocity = slow * velocityOf(0, i);
         else if (scene == Scene::Falling)
-            c.velocity = {velocityOf(1, i).x, -fast * std::abs(velocityOf(0, i).x)};
-        else if (scene == Scene::Alone && i == mover)
+            c.velocity = {velocityOf(1, i).x, -deep - std::abs(velocityOf(0, i).x)};
+        else if ((scene == Scene::Alone || scene == Scene::Apart) && i == mover)
             c.velocity = velocityOf(0, i);
-        else if (scene == Scene::Shifted)
+        else if (scene == Scene::Shifted || scene == Scene::Apart)
             c.position += shift;
     }
     return preset;

@@ -22,12 +22,13 @@ struct Steps {
 };
 
 /// How the circles start: at rest, with two kinds of velocities that have nothing in common, in
-/// another place, one alone with a velocity, all with a high one, all falling fast.
-enum class Scene { Rest, First, Second, Shifted, Alone, Fast, Falling };
+/// another place, one alone with a velocity, the same with all others elsewhere, all with a high
+/// one, all with a low one, all falling fast.
+enum class Scene { Rest, First, Second, Shifted, Alone, Apart, Fast, Slow, Falling };
 /// After so many steps a run is late.
 inline constexpr qint64 lateSteps = 97;
 
-/// \param mover  in Scene::Alone the only circle that moves
+/// \param mover  in Scene::Alone and Scene::Apart the only circle that moves
 [[nodiscard]] Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene,
                                   std::size_t mover = 0);
 

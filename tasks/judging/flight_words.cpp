@@ -18,15 +18,28 @@ class FlightJudge : FlightComparison
 public:
     using FlightComparison::FlightComparison;
 
-    /// What is wrong, worst first; what hides the rest stands alone.
+    /// What is wrong, worst first.
     [[nodiscard]] std::vector<FlightSaid> judge() const
+    {
+        std::vector<FlightSaid> said = judgeByItself();
+        // What the others do shows in all that is measured while they do it.
+        if (!said.empty() && !carriedSaid(*this)) {
+            if (auto fault = othersSaid(*this))
+                return {*fault};
+        }
+        return said;
+    }
+
+private:
+    /// The same as if no other circle had a part in it; what hides the rest stands alone.
+    [[nodiscard]] std::vector<FlightSaid> judgeByItself() const
     {
         std::vector<FlightSaid> said;
         if (auto fault = timeless())
             return {*fault};
         if (auto fault = strongFallSaid(*this))
             return {*fault};
-        if (auto fault = leap(); fault && !flight(0).leap->isFast)
+        if (auto fault = leap(); fault && flight(0).leap->speed == Flight::Speed::Any)
             return {*fault};
         for (const auto law : {carriedSaid, waySaid}) {
             if (auto fault = law(*this))
@@ -45,17 +58,29 @@ public:
         return said;
     }
 
-private:
     void judgeTurn(std::vector<FlightSaid> &said) const
     {
         const bool isWayRight = said.empty();
-        for (const auto &fault : {fallSaid(*this), growth()}) {
-            if (fault)
+        // What the place does shows in all that is measured at one place, and who turns in every
+        // step gets nowhere.
+        for (const auto law : {pullSaid, turnsRoundSaid}) {
+            if (const auto fault = law(*this)) {
+                said.push_back(*fault);
+                return;
+            }
+        }
+        for (const auto law : {fallSaid, growthSaid}) {
+            if (const auto fault = law(*this))
+                said.push_back(*fault);
+        }
+        if (said.empty()) {
+            if (const auto fault = ownSceneSaid(*this))
                 said.push_back(*fault);
         }
         // How much of the fall reaches the place can be told only where the rest is right.
         if (isWayRight && isAlike(flight(0).growth, right().growth, wrong)) {
-            if (auto fault = methodSaid(*this, said.empty()))
+            const auto drift = said.empty() ? driftSaid(*this) : std::nullopt;
+            if (const auto fault = drift ? drift : methodSaid(*this, said.empty()))
                 said.push_back(*fault);
         }
     }
@@ -109,15 +134,30 @@ private:
     [[nodiscard]] FlightSaid leapSaid(const Flight::Leap &leap) const
     {
         FlightSaid fault = said(
-            FlightText::tr("Between hits the velocity of %who changes"),
-            FlightText::tr("Thrown with %1 m/s, it has %2 m/s one step of %3 s later, although it "
-                           "touches nothing; gravity gives it %4 m/s in a step. Look at what "
-                           "`on_update` does to the velocity besides gravity and hits.")
-                .arg(brief(leap.from), brief(leap.to), briefTimestep(timestep()),
-                     brief(timestep() * right().acceleration)),
+            FlightText::tr("The velocity of %who changes although it touches nothing"),
+            FlightText::tr("Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from "
+                           "every wall and every other circle; gravity gives it %4 m/s in a step. "
+                           "Look at which lines change its velocity there, and at what is asked "
+                           "before them.")
+                    .arg(brief(leap.from), brief(leap.to), briefTimestep(timestep()),
+                         brief(timestep() * right().acceleration))
+                + othersGoOn(leap.speed),
             false);
-        fault.moment = {flightStage(m_ground, gravity(), timestep(), leap.isFast), 1, {m_i}, false};
+        fault.moment = {flightStage(m_ground, gravity(), timestep(), leap.speed), 1, {m_i}, false};
         return fault;
+    }
+
+    static QString othersGoOn(Flight::Speed speed)
+    {
+        switch (speed) {
+        case Flight::Speed::Any:
+            break;
+        case Flight::Speed::Fast:
+            return QLatin1Char(' ') + FlightText::tr("A slower one goes on as it should.");
+        case Flight::Speed::Slow:
+            return QLatin1Char(' ') + FlightText::tr("A faster one goes on as it should.");
+        }
+        return {};
     }
 
     /// A change of the velocity of which a condition is to blame.
@@ -137,66 +177,29 @@ private:
                    - velocity;
         };
         const QString headline =
-            FlightText::tr("What changes the velocity of %who asks how it moves");
+            FlightText::tr("How the velocity of %who changes depends on the velocity otherwise "
+                           "than asked");
         // Two moments that look right show nothing of it; a step before them may.
         if (brief(a.turn) == brief(asked(a.velocity))
             && brief(b.turn) == brief(asked(b.velocity))) {
             const Flight &f = flight(0);
             const Vec2 wanted = f.startedWith + asked(f.startedWith);
             if (brief(f.turnedInto) != brief(wanted))
-                return leapSaid({f.startedWith, f.turnedInto, false});
+                return leapSaid({f.startedWith, f.turnedInto, Flight::Speed::Any});
             return conditional(
-                headline, FlightText::tr("Look at the conditions in front of the lines that change "
-                                         "the velocity."));
+                headline,
+                FlightText::tr("Look at what the lines that change the velocity take, and "
+                               "at what is asked before them."));
         }
         return conditional(
             headline,
             FlightText::tr("Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 "
                            "m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are "
-                           "right. Look at the conditions in front of the lines that change the "
-                           "velocity.")
+                           "right. Look at what the lines that change the velocity take, and at "
+                           "what is asked before them.")
                 .arg(brief(gravity()), brief(a.velocity), brief(a.turn), briefTimestep(timestep()),
                      brief(b.velocity), brief(b.turn), brief(asked(a.velocity)),
                      brief(asked(b.velocity))));
-    }
-
-    [[nodiscard]] std::optional<FlightSaid> growth() const
-    {
-        const Flight &f = flight(0);
-        const Flight &r = m_right.at(gravity(), timestep(), m_i);
-        if (isAlike(f.growth, r.growth, wrong) && isAlike(f.pull, r.pull, wrong))
-            return std::nullopt;
-        if (!isAlike(f.pull, r.pull, wrong))
-            return said(
-                FlightText::tr("The place of %who acts on its velocity otherwise than asked"),
-                FlightText::tr("For every metre further out the acceleration changes by %1 "
-                               "m/s²; %2 is right.")
-                    .arg(brief(f.pull), brief(r.pull)),
-                false);
-        const bool isX = std::abs(f.growth.x - r.growth.x) > wrong;
-        const double is = isX ? f.growth.x : f.growth.y;
-        const double asked = isX ? r.growth.x : r.growth.y;
-        return said(growthHeadline(is, asked),
-                    FlightText::tr("For every m/s of velocity the acceleration is %1 m/s²; %2 is "
-                                   "right.")
-                        .arg(brief(is), brief(asked)),
-                    false);
-    }
-
-    static QString growthHeadline(double is, double asked)
-    {
-        if (std::abs(asked) < wrong)
-            return is < 0.0 ? FlightText::tr("Something slows %who down on the way")
-                            : FlightText::tr("Something makes %who faster on the way");
-        if (std::abs(is) < wrong)
-            return asked < 0.0 ? FlightText::tr("Nothing slows %who down on the way")
-                               : FlightText::tr("Nothing makes %who faster on the way");
-        if (is * asked < 0.0)
-            return asked < 0.0 ? FlightText::tr("What should slow %who down makes it faster")
-                               : FlightText::tr("What should make %who faster slows it down");
-        return FlightText::tr("What acts on the velocity of %who is %1 times as strong as it "
-                              "should be")
-            .arg(brief(is / asked));
     }
 };
 

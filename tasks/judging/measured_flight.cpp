@@ -30,6 +30,25 @@ MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
     }
 }
 
+std::optional<Vec2> MeasuredFlight::ownFallElsewhere(int i) const
+{
+    Probe probe(m_program, {m_ground.own, false});
+    if (!probe.runs())
+        return std::nullopt;
+    World world = probe.world();
+    const Preset stage = m_ground.stage();
+    for (std::size_t k = 0; k < std::min(world.circles.size(), stage.circles.size()); ++k) {
+        world.circles[k].position = stage.circles[k].body.position;
+        world.circles[k].velocity = {};
+    }
+    probe.place(world);
+    if (!probe.step())
+        return std::nullopt;
+    const Vec2 before = probe.circle(i).velocity;
+    return probe.step() ? std::optional((probe.circle(i).velocity - before) / m_own.scene.timestep)
+                        : std::nullopt;
+}
+
 const std::vector<Flight> &MeasuredFlight::at(Vec2 gravity, double h) const
 {
     const auto known =
@@ -45,7 +64,19 @@ const std::vector<Flight> &MeasuredFlight::at(Vec2 gravity, double h) const
 
 std::optional<Vec2> MeasuredFlight::heavierFall(Vec2 gravity, double h, int i) const
 {
-    return measureHeavierFall(m_program, m_ground, gravity, h, static_cast<std::size_t>(i));
+    const auto step =
+        measureHeavierFall(m_program, m_ground, gravity, h, static_cast<std::size_t>(i));
+    if (!step)
+        return std::nullopt;
+    const Vec2 growth = at(gravity, h, i).growth;
+    return step->turn / h - Vec2{growth.x * step->velocity.x, growth.y * step->velocity.y};
+}
+
+std::optional<Flight::Step> MeasuredFlight::whileOthersRest(Vec2 gravity, double h, int i) const
+{
+    return m_ground.flights.size() < 2 ? std::nullopt
+                                       : measureWhileOthersRest(m_program, m_ground, gravity, h,
+                                                                static_cast<std::size_t>(i));
 }
 
 bool MeasuredFlight::isLike(const MeasuredFlight &other) const

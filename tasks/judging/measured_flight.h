@@ -52,9 +52,15 @@ public:
         }
     };
     [[nodiscard]] const Own &own() const { return m_own; }
+    /// The acceleration of circle \p i where it is set at rest somewhere else in that scene, m/s².
+    [[nodiscard]] std::optional<Vec2> ownFallElsewhere(int i) const;
 
     /// The acceleration of a circle \p i at rest that is wider and denser than those of at(), m/s².
     [[nodiscard]] std::optional<Vec2> heavierFall(Vec2 gravity, double h, int i) const;
+
+    /// The second step of a circle \p i that starts as in the first flight of at(), while all
+    /// others rest elsewhere; nothing where there are none.
+    [[nodiscard]] std::optional<Flight::Step> whileOthersRest(Vec2 gravity, double h, int i) const;
 
     /// Whether another program flies in the same way.
     [[nodiscard]] bool isLike(const MeasuredFlight &other) const;

@@ -74,7 +74,7 @@ private:
             (isContact ? ConditionText::tr("Hits of the two circles are answered only %1")
                        : ConditionText::tr("Hits of the two circles come out right only %1"))
                     .arg(phraseOf(*condition))
-                + counted(series.when) + met
+                + counted(aspect, series.when) + met
                 + (isContact ? QString() : QLatin1Char(' ') + describeHit(hit, good->hit)),
             *condition, {0, 1}, {.stage = hit.stage, .step = good->hit.step},
             [](const LawDeviation &found) { return found.suspect != Suspect::Masses; });

@@ -6,8 +6,10 @@
 #include "tasks/checks/check_library.h"
 #include "tasks/checks/motion.h"
 #include "tasks/judging/check_plan.h"
+#include "tasks/judging/line_guess.h"
 #include "tasks/runs/observation.h"
 #include "tasks/runs/scene_spec.h"
+#include "tasks/script/student_script.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -58,19 +60,68 @@ Moment momentOf(const CheckSpec &check, const Preset &start)
     return {};
 }
 
+/// What a program calls it.
+QString nameOf(Assignment::Field field, int circle)
+{
+    const auto of = [&](const char *name) {
+        return QStringLiteral("`circle%1.%2`").arg(circle + 1).arg(QLatin1String(name));
+    };
+    switch (field) {
+    case Assignment::Field::Position:
+        return of("position");
+    case Assignment::Field::Velocity:
+        return of("velocity");
+    case Assignment::Field::Radius:
+        return of("radius");
+    case Assignment::Field::Density:
+        return of("density");
+    case Assignment::Field::Gravity:
+        return QStringLiteral("`gravity`");
+    case Assignment::Field::Restitution:
+        break;
+    }
+    return QStringLiteral("`restitution`");
+}
+
+/// Where a value of the scene, or of \p circle unless that is -1, comes from.
+QString whoSet(const Task &task, const Submission &submission, Assignment::Field field,
+               int circle = -1)
+{
+    if (!submission.script)
+        return StartText::tr("It is the value that the scene has.");
+    StudentScript script(*submission.script,
+                         {.quiet = true, .silent = true, .locked = task.locked});
+    const std::vector<Assignment> made = script.traceStart(submission.preset);
+    const QString name = nameOf(field, circle);
+    if (std::any_of(made.begin(), made.end(), [&](const Assignment &each) {
+            return each.field == field && each.circle == circle;
+        }))
+        return StartText::tr("Look at what your program assigns to %1 before the first step.")
+            .arg(name);
+    if (circle < 0 && hidingLine(*submission.script, field) > 0)
+        return StartText::tr("Behind `local`, %1 is the name of another variable: the scene keeps "
+                             "its own value.")
+            .arg(name);
+    return StartText::tr("Nothing in your program assigns to %1 before the first step: it is the "
+                         "value that the scene has.")
+        .arg(name);
+}
+
 /// A number of the scene that is not as the checks have it.
-std::optional<LawDeviation> wrongGravity(const Task &task, const Preset &start,
+std::optional<LawDeviation> wrongGravity(const Task &task, const Submission &submission,
+                                         const Preset &start,
                                          const std::vector<CheckOutcome> &checks)
 {
     for (const CheckSpec &check : task.checks) {
         const auto asked = showsOwnScene(check) ? motion::askedGravity(check) : std::nullopt;
         if (!asked || *asked == start.gravity || !failed(check, checks))
             continue;
-        return LawDeviation{Aspect::Start,
-                            StartText::tr("Gravity is %1 m/s², not %2\n\nSo it is when the run "
-                                          "begins. Look at what `on_load` assigns to `gravity`.")
-                                .arg(brief(start.gravity), brief(*asked)),
-                            {.start = Assignment::Field::Gravity}};
+        return LawDeviation{
+            Aspect::Start,
+            StartText::tr("Gravity is %1 m/s², not %2\n\nSo it is when the run begins.")
+                    .arg(brief(start.gravity), brief(*asked))
+                + QLatin1Char(' ') + whoSet(task, submission, Assignment::Field::Gravity),
+            {.start = Assignment::Field::Gravity}};
     }
     return std::nullopt;
 }
@@ -91,15 +142,17 @@ std::vector<LawDeviation> startDeviations(const Task &task, const Submission &su
         for (const CheckOutcome &outcome : checks) {
             if (outcome.id != check.id || outcome.passed || outcome.variant.isEmpty())
                 continue;
-            deviations.push_back(
-                {Aspect::Start,
-                 outcome.message
-                     + StartText::tr("\n\nLook at what `on_load` sets, and for which circle."),
-                 momentOf(check, start)});
+            const Moment moment = momentOf(check, start);
+            deviations.push_back({Aspect::Start,
+                                  moment.start ? outcome.message + QStringLiteral("\n\n")
+                                                     + whoSet(task, submission, *moment.start,
+                                                              moment.circles.front())
+                                               : outcome.message,
+                                  moment});
         }
     }
     if (isSeen) {
-        if (auto gravity = wrongGravity(task, start, checks))
+        if (auto gravity = wrongGravity(task, submission, start, checks))
             deviations.push_back(*gravity);
     }
     return deviations;
@@ -121,9 +174,10 @@ std::optional<LawDeviation> otherRestitution(const Task &task, const Submission 
             Aspect::Start,
             StartText::tr("e = %1 is not the value that is asked for").arg(brief(e))
                 + QStringLiteral("\n\n")
-                + StartText::tr("So it is when the run begins; in this step your own scene has "
-                                "e = %1. Look at what `on_load` gives to `restitution`.")
-                      .arg(brief(asked.toDouble())),
+                + StartText::tr("So it is when the run begins; in this step your own scene should "
+                                "have e = %1.")
+                      .arg(brief(asked.toDouble()))
+                + QLatin1Char(' ') + whoSet(task, submission, Assignment::Field::Restitution),
             {.start = Assignment::Field::Restitution}};
     }
     return std::nullopt;
@@ -184,13 +238,8 @@ std::optional<LawDeviation> restitutionDeviation(const Task &task, const Submiss
         StartText::tr("e = %1 is not the value that is asked for")
                 .arg(brief(own.start().restitution))
             + QStringLiteral("\n\n")
-            + StartText::tr("The laws of your program are right; with the e that the step asks for "
-                            "your own scene would pass.")
-            + QLatin1Char(' ')
-            + (changed.isEmpty()
-                   ? StartText::tr("`on_load` does not set `restitution`, so that it is the one "
-                                   "that the scene had before.")
-                   : StartText::tr("Look at what `on_load` gives to `restitution`.")),
+            + StartText::tr("With the e that the step asks for, all that failed would pass.")
+            + QLatin1Char(' ') + whoSet(task, submission, Assignment::Field::Restitution),
         {.start = Assignment::Field::Restitution}};
 }
 

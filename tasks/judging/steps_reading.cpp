@@ -36,6 +36,7 @@ public:
         flight.startedWith = m_first.start[m_i].velocity;
         flight.turnedInto = m_first.before[m_i].velocity;
         flight.wayMade = way(m_first);
+        flight.restedAt = m_rest.before[m_i].position;
         flight.acceleration = turn(m_rest) / m_h;
         flight.resets = isNear(m_first.before[m_i].velocity, m_rest.before[m_i].velocity)
                         && isNear(m_second.before[m_i].velocity, m_rest.before[m_i].velocity);
@@ -63,7 +64,9 @@ public:
         flight.isKnown = !flight.resets && !flight.resetsX && !flight.resetsY && !flight.jumps
                          && std::abs(flight.carried - 1.0) < 1e-6 && flight.pull == Vec2{}
                          && flight.isWayLinear && flight.isTurnLinear;
-        flight.seen = {seen(m_first), seen(m_second)};
+        // Two that do the same tell less than one of them beside rest.
+        const bool isAlike = isClose(turn(m_first), turn(m_second)) && !flight.isTurnLinear;
+        flight.seen = {seen(m_first), seen(isAlike ? m_rest : m_second)};
         flight.crossing = crossing();
         flight.isWayOfNew = isClose(way(m_first), m_h * m_first.after[m_i].velocity)
                             && isClose(way(m_second), m_h * m_second.after[m_i].velocity);

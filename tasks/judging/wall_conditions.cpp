@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/condition_comparison.h"
 
+#include "tasks/checks/figures.h"
 #include "tasks/checks/motion.h"
 
 namespace cradle {
@@ -164,7 +165,7 @@ private:
         const Vec2 good =
             -right->hit.back * dot(hit.came, n) * n + right->hit.along * dot(hit.came, t) * t;
         say(Aspect::Walls,
-            headline.arg(phraseOf(*condition)) + counted(series.when)
+            headline.arg(phraseOf(*condition)) + counted(Aspect::Walls, series.when)
                 + (hit.turned ? seen.arg(brief(hit.left), brief(good)) : seen),
             *condition, series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
             {.stage = hit.stage, .step = std::max(hit.step, right->hit.step)}, isReplaced);

@@ -49,11 +49,14 @@ public:
                             + FlightText::tr(" Both parts of the position must change, each by "
                                              "its own part of the velocity."),
                         true);
-        auto [headline, where] = wayWords(other, length(f.wayMade) > 1e-9);
-        // What is right in one part is not said of it.
-        if (isRight(x) != isRight(y))
+        // What is wrong with one part is not said of the other.
+        const bool isOne = isRight(x) || isRight(y) || isX != isY
+                           || (x.kind == y.kind && std::abs(x.value - y.value) < wrong);
+        auto [headline, where] =
+            wayWords(isOne ? other : TimestepPattern{Kind::Other, 0.0}, length(f.wayMade) > 1e-9);
+        if (isRight(x) != isRight(y) || isX != isY)
             headline +=
-                isRight(x) ? FlightText::tr(" (only in y)") : FlightText::tr(" (only in x)");
+                &other == &y ? FlightText::tr(" (only in y)") : FlightText::tr(" (only in x)");
         FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
         if (other.kind == Kind::Constant && other.value == 0.0)
             fault.suspect = Suspect::Omission;

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_comparison.h"
+#include "tasks/judging/likeness.h"
+
+namespace cradle {
+
+namespace {
+
+/// Judges what a step adds to the place besides v Δt, where that is no share of g Δt².
+class DriftJudge : FlightComparison
+{
+public:
+    explicit DriftJudge(const FlightComparison &comparison)
+        : FlightComparison(comparison)
+        , m_h{timestep(), m_ground.timesteps.size() > 1 ? m_ground.timesteps[1] : 0.5 * timestep()}
+    {
+    }
+
+    [[nodiscard]] std::optional<FlightSaid> drift() const
+    {
+        for (const Vec2 g : m_ground.gravities) {
+            if (isShare(g))
+                continue;
+            for (const int power : {0, 1, 2}) {
+                if (const auto besides = goesWith(power, g))
+                    return told(power, g, *besides);
+            }
+            return odd(g);
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// What is nothing but rounding, m.
+    static constexpr double noWay = 1e-9;
+    static constexpr std::array shares{0.0, 0.5, 1.0};
+
+    [[nodiscard]] const Flight &at(Vec2 g, std::size_t k) const { return m_own.at(g, m_h[k], m_i); }
+
+    /// What is left if a method with that share made the rest.
+    [[nodiscard]] Vec2 left(Vec2 g, std::size_t k, double share) const
+    {
+        const Flight &f = at(g, k);
+        return f.drift - share * m_h[k] * m_h[k] * f.acceleration;
+    }
+
+    /// Whether it is the same share of a Δt² with either timestep, and nothing else.
+    [[nodiscard]] bool isShare(Vec2 g) const
+    {
+        const auto one = at(g, 0).share(m_h[0]);
+        const auto two = at(g, 1).share(m_h[1]);
+        if (!one || !two)
+            return length(at(g, 0).drift) < noWay && length(at(g, 1).drift) < noWay;
+        const double slack = noWay + 1e-3 * m_h[0] * m_h[0] * length(at(g, 0).acceleration);
+        return std::abs(*one - *two) < 1e-3 && length(left(g, 0, *one)) < slack;
+    }
+
+    /// What is left of the way, divided by that power of Δt, if that is the same with either
+    /// timestep for one of the methods.
+    [[nodiscard]] std::optional<Vec2> goesWith(int power, Vec2 g) const
+    {
+        for (const double share : shares) {
+            const Vec2 one = left(g, 0, share) / std::pow(m_h[0], power);
+            const Vec2 two = left(g, 1, share) / std::pow(m_h[1], power);
+            if (length(one - two) < 1e-4 * length(one) && isWanted(share))
+                return one;
+        }
+        return std::nullopt;
+    }
+
+    /// Whether a method with that share would be right.
+    [[nodiscard]] bool isWanted(double share) const
+    {
+        const auto &asked = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
+        return std::any_of(asked.begin(), asked.end(),
+                           [&](double s) { return std::abs(s - share) < 1e-3; });
+    }
+
+    /// Whether what is left is the same under another gravity, with that power of Δt.
+    [[nodiscard]] bool isOfGravity(int power, Vec2 g, Vec2 besides) const
+    {
+        const Vec2 other = g == Vec2{} ? Vec2{0.0, -2.0} : 0.5 * g;
+        const Flight &f = m_own.at(other, m_h[0], m_i);
+        return std::none_of(shares.begin(), shares.end(), [&](double share) {
+            const Vec2 same =
+                (f.drift - share * m_h[0] * m_h[0] * f.acceleration) / std::pow(m_h[0], power);
+            return isWanted(share) && length(same - besides) < 1e-3 * length(besides);
+        });
+    }
+
+    [[nodiscard]] FlightSaid told(int power, Vec2 g, Vec2 besides) const
+    {
+        if (isOfGravity(power, g, besides)) {
+            if (power > 1)
+                return odd(g);
+            return {power == 1 ? FlightText::tr("What gravity adds to the way of %who goes with "
+                                                "Δt, not with Δt²")
+                               : FlightText::tr("What gravity adds to the way of %who does not "
+                                                "depend on Δt"),
+                    seen(g) + QLatin1Char(' ')
+                        + FlightText::tr("A way is a length, as g Δt² is; g Δt is a velocity and "
+                                         "g an acceleration."),
+                    moment(true, g)};
+        }
+        if (power == 0)
+            return {FlightText::tr("Every step moves %who by a fixed way besides v Δt"),
+                    FlightText::tr("Whatever Δt, gravity and its velocity are, it goes on by %1 m "
+                                   "besides. Look at what is added to the position.")
+                        .arg(brief(besides)),
+                    moment(true, g)};
+        if (power == 1)
+            return {FlightText::tr("Something besides its own velocity moves %who"),
+                    FlightText::tr("Whatever gravity and its velocity are, it goes on by %1 m/s "
+                                   "times Δt besides. Look at what is added to the position.")
+                        .arg(brief(besides)),
+                    moment(true, g)};
+        return odd(g);
+    }
+
+    [[nodiscard]] FlightSaid odd(Vec2 g) const
+    {
+        return {FlightText::tr("What a step adds to the way of %who besides v Δt is no method's"),
+                seen(g), moment(true, g)};
+    }
+
+    [[nodiscard]] QString seen(Vec2 g) const
+    {
+        return FlightText::tr("Besides v Δt it goes %1 m in a step of %2 s under gravity %3 m/s², "
+                              "and %4 m in one of %5 s. Euler adds nothing to v Δt, symplectic "
+                              "Euler g Δt², the exact methods ½ g Δt².")
+            .arg(brief(at(g, 0).drift), briefTimestep(m_h[0]), brief(g), brief(at(g, 1).drift),
+                 briefTimestep(m_h[1]));
+    }
+
+    std::array<double, 2> m_h; ///< timesteps, s
+};
+
+} // namespace
+
+std::optional<FlightSaid> driftSaid(const FlightComparison &comparison)
+{
+    return DriftJudge(comparison).drift();
+}
+
+} // namespace cradle

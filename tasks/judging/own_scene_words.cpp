@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_comparison.h"
+#include "tasks/judging/likeness.h"
+
+namespace cradle {
+
+namespace {
+
+// Of MeasuredFlight::Own::unsteadiness().
+constexpr double steadyFall = 0.02; ///< a fall, at most
+constexpr double comesAgain = 0.5;  ///< what comes again, if less, at most
+
+/// Judges whether heavy and light circles fall alike.
+class HeavierJudge : FlightComparison
+{
+public:
+    explicit HeavierJudge(const FlightComparison &comparison)
+        : FlightComparison(comparison)
+    {
+    }
+
+    /// What the same circle does if it is heavier than the others.
+    [[nodiscard]] std::optional<FlightSaid> heavier(Vec2 g) const
+    {
+        const Vec2 right = m_right.at(g, timestep(), m_i).acceleration;
+        const Vec2 own = m_own.at(g, timestep(), m_i).acceleration;
+        const auto heavier = m_own.heavierFall(g, timestep(), m_i);
+        const auto wanted = m_right.heavierFall(g, timestep(), m_i);
+        if (!heavier || !wanted || isAlike(*heavier, own, 0.01) || !isAlike(*wanted, right, 0.01))
+            return std::nullopt;
+        return FlightSaid{
+            FlightText::tr("Gravity does not act alike on light and heavy ones (%who)"),
+            FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² "
+                           "when its radius is 1.25 times and its density 1.5 times as large. "
+                           "Gravity is an acceleration already: all bodies fall alike, whatever "
+                           "they weigh.")
+                .arg(brief(g), brief(own), brief(*heavier)),
+            moment(false, g)};
+    }
+};
+
+/// Judges what a circle does in the student's own scene beside what it does in the others.
+class OwnSceneJudge : FlightComparison
+{
+public:
+    explicit OwnSceneJudge(const FlightComparison &comparison)
+        : FlightComparison(comparison)
+    {
+    }
+
+    /// The own scene must fall as all others do: else a copy of gravity is older than gravity.
+    [[nodiscard]] std::optional<FlightSaid> fall() const
+    {
+        const MeasuredFlight::Own &own = m_own.own();
+        const auto i = static_cast<std::size_t>(m_i);
+        if (!own.runs || i >= own.accelerations.size())
+            return std::nullopt;
+        const Vec2 right = own.scene.gravity;
+        const Vec2 braked = flight(0).growth;
+        const Vec2 v = own.scene.circles[i].body.velocity;
+        const Vec2 fallen = own.accelerations[i] - Vec2{braked.x * v.x, braked.y * v.y};
+        const bool isAsked = std::find(m_ground.gravities.begin(), m_ground.gravities.end(), right)
+                             != m_ground.gravities.end();
+        const double blur = 1e-6 + growthBlur(0);
+        if (!isAsked || own.unsteadiness(i) > comesAgain
+            || length(fallen - right) < blur * (1.0 + length(right))
+            || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
+            return std::nullopt;
+        if (const auto fault = heavierSaid(*this, right))
+            return fault;
+        const Moment moment{{m_ground.own, false}, 1, {m_i}, false};
+        if (own.unsteadiness(i) <= steadyFall && isSameElsewhere(own, fallen))
+            return FlightSaid{
+                FlightText::tr("The fall of %who is not that of the gravity in the scene"),
+                FlightText::tr("In your own scene gravity is %1 m/s², and the velocity changes "
+                               "by %2 m/s in a second. A copy of gravity keeps the value of "
+                               "the moment when it was made: before or after `on_load` has "
+                               "set it?")
+                    .arg(brief(right), brief(own.accelerations[i])),
+                moment, false, Suspect::Copy};
+        return FlightSaid{
+            FlightText::tr("The fall of %who is not that of the gravity in the scene"),
+            FlightText::tr("In your own scene gravity is %1 m/s²; the velocity changes by %2 "
+                           "m/s in the first step and by %3 m/s in the second. Look at what "
+                           "else changes the velocity, away from any hit.")
+                .arg(brief(right), brief(own.scene.timestep * own.accelerations[i]),
+                     brief(own.scene.timestep * own.later[i])),
+            moment};
+    }
+
+    /// The first step of the own scene must not change what nothing is near to.
+    [[nodiscard]] std::optional<FlightSaid> start() const
+    {
+        const MeasuredFlight::Own &own = m_own.own();
+        const auto i = static_cast<std::size_t>(m_i);
+        if (!own.runs || i >= own.accelerations.size() || own.unsteadiness(i) <= comesAgain
+            || !isAlone(own.scene, i))
+            return std::nullopt;
+        const double h = own.scene.timestep;
+        const Vec2 v = own.scene.circles[i].body.velocity;
+        const Vec2 turn = h * own.accelerations[i];
+        const Vec2 fall = h * m_right.at(own.scene.gravity, h, m_i).acceleration;
+        if (length(turn - fall) < 0.2 * length(v) + 2.0 * length(fall))
+            return std::nullopt;
+        // What it does in any step is said already.
+        const Vec2 usual = m_own.at(own.scene.gravity, h, m_i).after({.velocity = v}, h).velocity;
+        if (length(v + turn - usual) < 1e-6)
+            return std::nullopt;
+        return FlightSaid{
+            FlightText::tr("In your own scene the first step changes the velocity of %who"),
+            FlightText::tr("It starts with %1 m/s, and has %2 m/s one step later; nothing that it "
+                           "could hit is near. Look at which lines change its velocity there, and "
+                           "at what is asked before them.")
+                .arg(brief(v), brief(v + turn)),
+            {{m_ground.own, false}, 1, {m_i}, false}};
+    }
+
+    /// Whether it falls alike when it is set to another place of the same run: then it is no place
+    /// that counts, but what the program keeps from its start.
+    [[nodiscard]] bool isSameElsewhere(const MeasuredFlight::Own &own, Vec2 fallen) const
+    {
+        const auto elsewhere = m_own.ownFallElsewhere(m_i);
+        return elsewhere && length(*elsewhere - fallen) < 1e-3 * (1.0 + length(own.scene.gravity));
+    }
+
+    /// Whether circle \p i comes near no wall and no other circle in the first two steps.
+    static bool isAlone(const Preset &scene, std::size_t i)
+    {
+        const auto reach = [&](const Circle &c) {
+            return c.radius + 4.0 * length(c.velocity) * scene.timestep;
+        };
+        const Circle &c = scene.circles[i].body;
+        const double most = std::max(std::abs(c.position.x), std::abs(c.position.y));
+        if (most > scene.halfWidth - reach(c))
+            return false;
+        for (std::size_t k = 0; k < scene.circles.size(); ++k) {
+            const Circle &other = scene.circles[k].body;
+            if (k != i && length(other.position - c.position) < reach(c) + reach(other))
+                return false;
+        }
+        return true;
+    }
+};
+
+} // namespace
+
+std::optional<FlightSaid> heavierSaid(const FlightComparison &comparison, Vec2 gravity)
+{
+    return HeavierJudge(comparison).heavier(gravity);
+}
+
+std::optional<FlightSaid> ownSceneSaid(const FlightComparison &comparison)
+{
+    const OwnSceneJudge judge(comparison);
+    const auto fall = judge.fall();
+    return fall ? fall : judge.start();
+}
+
+} // namespace cradle
