@@ -1,0 +1,7 @@
+function on_load()
+  circle1.velocity = vec(0.5, 0)
+end
+
+function on_update(timestep)
+  circle1.position = circle1.position + circle1.velocity * timestep
+end
