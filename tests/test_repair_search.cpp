@@ -21,6 +21,7 @@ private slots:
     void wholeMendingEndsTheSearch();
     void partIsTakenWhereNothingMendsAll();
     void twinsAreTakenAfterOneLineAlone();
+    void whatPassesTheChecksIsNotMeasured();
     void whatDoesNotRunIsNotChanged();
 };
 
@@ -35,6 +36,7 @@ struct Search {
     Preset preset = scene({circle({-2.0, 1.0}, {2.0, 1.5}), circle({1.0, -1.0}, {-1.0, 0.7})}, {});
     std::vector<int> wrong{0};
     QString turn{}; ///< what the reference does besides moving
+    std::function<bool(const QString &)> passes{};
 
     /// \param mending  what a measurement of the n-th program, from 0, tells
     std::optional<Repair> run(const std::function<Mending(std::size_t)> &mending)
@@ -54,6 +56,7 @@ struct Search {
                          .suspect = suspect,
                          .last = last,
                          .aspect = Aspect::Motion,
+                         .passes = passes,
                          .mending = [&](const QString &source) {
                              measured.push_back(source);
                              return mending(measured.size() - 1);
@@ -192,6 +195,30 @@ void TestRepairSearch::twinsAreTakenAfterOneLineAlone()
     QVERIFY(twins && !twins->alone);
     QVERIFY(twins->source.contains(QStringLiteral("circle1.velocity = circle1.velocity")));
     QVERIFY(twins->source.contains(QStringLiteral("circle2.velocity = circle2.velocity")));
+}
+
+void TestRepairSearch::whatPassesTheChecksIsNotMeasured()
+{
+    Search search{.program = turned, .suspect = Suspect::Formula, .last = 4, .lines = {2, 3, 4}};
+    const auto changes = [](int line) {
+        return [line](const QString &source) {
+            const auto row = [&](const QString &program) {
+                return program.section(QLatin1Char('\n'), line - 1, line - 1);
+            };
+            return row(source) != row(turned);
+        };
+    };
+    for (const int line : {2, 4}) {
+        search.passes = changes(line);
+        const auto repair = search.run(none);
+        QVERIFY(repair);
+        QCOMPARE(repair->line, line);
+        QVERIFY(search.measured.empty());
+    }
+    // Where nothing passes, something else is wrong, too.
+    search.passes = [](const QString &) { return false; };
+    QVERIFY(search.run([](std::size_t) { return Mending::All; }));
+    QCOMPARE(search.measured.size(), 1U);
 }
 
 void TestRepairSearch::whatDoesNotRunIsNotChanged()

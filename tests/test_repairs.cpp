@@ -18,6 +18,8 @@ private slots:
     void mistakeIsUndone();
     void mistakeOfTwoLinesIsUndone_data();
     void mistakeOfTwoLinesIsUndone();
+    void anotherOfTheFunctionsOrTheirValuesIsTaken_data();
+    void anotherOfTheFunctionsOrTheirValuesIsTaken();
     void likeLinesAreChangedAlike();
     void restitutionIsPutInOnlyWhereItIsKnown();
     void onlyTheseLinesAreChanged();
@@ -155,6 +157,9 @@ void TestRepairs::mistakeIsUndone_data()
     row("x, y = u * w, z", "x, y = u * w, z * w");
     row("x, y = u, z / w", "x, y = u / w, z / w");
     row("f(u / w, z)", "f(u / w, z / w)");
+    row("x = u + h * w", "x = u");
+    row("x = u - h * w / z + q", "x = u + q");
+    row("x = n.x ^ 2", "x = n.x ^ 2 + n.y ^ 2");
     row("x = u + w", "x = 2 * u + w");
     row("x = u + w", "x = u + 2 * w");
     row("x = u + w", "x = u + restitution * w");
@@ -195,6 +200,7 @@ void TestRepairs::mistakeIsUndone_data()
     row("x = math.abs(d.x)", "x = d:length()");
     row("x = math.abs(d.y)", "x = d:length()");
     row("x = math.atan(u, w)", "x = math.atan(w, u)");
+    row("x = math.atan(u / w)", "x = math.atan(u, w)");
     row("x = math.max(u, w)", "x = math.max(u + w, u + w)");
     row("v = vec(-v.x, 0)", "v = vec(-v.x, v.y)");
     row("v = vec(0, -v.y)", "v = vec(v.x, -v.y)");
@@ -204,6 +210,11 @@ void TestRepairs::mistakeIsUndone_data()
     row("x = dot(b.position, n)", "x = dot(b.position - a.position, n)");
     // What is given, and whole lines.
     row("x, y = u, w", "x, y = w, u");
+    row("x, y, z, v = u, w, p, q", "x, y, z, v = u, q, p, w");
+    row("f(u, w * z, q)", "f(q, w * z, u)");
+    row("x = {u, w}", "x = {w, u}");
+    row("x = p[i] - p[k]", "x = p[k] - p[k]");
+    row("x = u and w or z", "x = u and - w or z");
     row("return u, w", "return w, u");
     row("x, y = u, w", "x, y = (u) / ((u)^2 + (w)^2)^0.5, (w) / ((u)^2 + (w)^2)^0.5");
     row("x = u", "");
@@ -256,6 +267,33 @@ void TestRepairs::mistakeOfTwoLinesIsUndone()
     QFETCH(QString, wrong);
     QFETCH(QString, right);
     QVERIFY(isTried(tried(around(wrong)), around(right)));
+}
+
+void TestRepairs::anotherOfTheFunctionsOrTheirValuesIsTaken_data()
+{
+    QTest::addColumn<QString>("wrong"); // line 4 of a program with two functions
+    QTest::addColumn<QString>("right");
+    QTest::newRow("called") << "first(p, q)"
+                            << "second(p, q)";
+    QTest::newRow("kept") << "methods = {first, first}"
+                          << "methods = {first, second}";
+    QTest::newRow("handed on") << "run(second)"
+                               << "run(first)";
+    QTest::newRow("named") << "use('first')"
+                           << "use('second')";
+}
+
+void TestRepairs::anotherOfTheFunctionsOrTheirValuesIsTaken()
+{
+    QFETCH(QString, wrong);
+    QFETCH(QString, right);
+    const QString functions = QStringLiteral("function first(s, t) return s.v - t.v end\n"
+                                             "function second(s, t) return t.v - s.v end\n"
+                                             "function run(f) return f end\n");
+    QVERIFY(isTried(tried(functions + wrong, {4}), functions + right));
+    QVERIFY(
+        isTried(tried(functions, {1}), QString(functions).replace(QLatin1String("return s.v"),
+                                                                  QLatin1String("return t.v"))));
 }
 
 /// Each wall is asked for in a line of its own.

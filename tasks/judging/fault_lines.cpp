@@ -18,6 +18,9 @@ namespace {
 /// Findings whose line is proven; those behind wait until the first are mended.
 constexpr std::size_t mostProven = 2;
 
+/// Steps before a fault that shows at times: hundreds of programs come to it.
+constexpr qint64 mostStepsOfCondition = 600;
+
 Aspect aspectOf(const LawDeviation &deviation)
 {
     return deviation.aspect == Aspect::Course ? Aspect::Walls : deviation.aspect;
@@ -65,13 +68,15 @@ void FaultLines::point(Finding &finding, const LawDeviation &deviation,
         workedOut = origin.of(finding.line);
     const int proven =
         provenLine(deviation, ran, workedOut && *workedOut > 0 ? *workedOut : finding.line, before);
+    // Where a copy is at fault, the value itself in its place mends it, too.
     const int line =
-        proven != 0 ? proven
-                    : guessedLine(*m_submission.script, deviation, ran,
-                                  {finding.line, workedOut, finding.calls, [&] {
-                                       return PushOrigin::isSizeWrong(
-                                           *m_submission.script, m_task.solution, deviation.moment);
-                                   }});
+        proven != 0 && deviation.suspect != Suspect::Copy
+            ? proven
+            : guessedLine(*m_submission.script, deviation, ran,
+                          {finding.line, workedOut, finding.calls, [&] {
+                               return PushOrigin::isSizeWrong(*m_submission.script, m_task.solution,
+                                                              deviation.moment);
+                           }});
     if (line == finding.line)
         return;
     finding.line = line;
@@ -82,8 +87,9 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
                            const std::vector<Finding> &before)
 {
     const Moment &moment = deviation.moment;
-    if (!m_proves || m_deviations.isOfChecks() || deviation.isConditional || moment.circles.empty()
-        || before.size() >= mostProven)
+    if (!m_proves || m_deviations.isOfChecks() || moment.circles.empty()
+        || before.size() >= mostProven
+        || (deviation.isConditional && moment.step > mostStepsOfCondition))
         return 0;
     const Aspect aspect = aspectOf(deviation);
     const std::vector<LawDeviation> all = m_deviations.besides(m_own, aspect);
@@ -98,8 +104,15 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
     const bool isMended =
         !m_mended.empty() && m_mended.back()->program.count(u'\n') == own.count(u'\n');
     const QString &program = isMended ? m_mended.back()->program : own;
-    const auto repair =
-        repairOf({program, m_task.solution, moment, ran, deviation.suspect, last, aspect, mending});
+    const auto passes = [&](const QString &changed) {
+        return m_deviations.passes(changed) && mending(changed) == Mending::All;
+    };
+    // What is right at times is measured in no scene.
+    const auto measured = [&](const QString &changed) {
+        return deviation.isConditional ? Mending::None : mending(changed);
+    };
+    const auto repair = repairOf(
+        {program, m_task.solution, moment, ran, deviation.suspect, last, aspect, passes, measured});
     if (!repair)
         return 0;
     m_mended.push_back(std::make_unique<Mended>(repair->source, m_ground));

@@ -4,7 +4,9 @@
 
 #include "tasks/judging/asked_values.h"
 #include "tasks/judging/fault_look.h"
+#include "tasks/judging/program_rows.h"
 #include "tasks/judging/program_statements.h"
+#include "tasks/judging/repair_order.h"
 #include "tasks/judging/value_repairs.h"
 
 #include <QRegularExpression>
@@ -19,15 +21,17 @@ namespace cradle {
 namespace {
 
 /// Changed programs that pass the look and are measured: more of those that pass twice.
-constexpr int mostMeasured = 7;
+constexpr std::size_t mostMeasured = 7;
 constexpr std::size_t mostDoubtful = 3;
 constexpr int mostOfALine = 3;
+/// Those that are put to the checks, which is sooner done.
+constexpr int mostJudged = 60;
 
-/// Changed programs that are looked at. Of 640 faults of one line, as students make them, none of
-/// an answer is mended by a later one; what is asked, and masses, lie behind many lines.
+/// Changed programs that are looked at, of values and of words: what is asked, and masses, lie
+/// behind many lines.
 std::size_t mostRepairs(Suspect suspect)
 {
-    return isOfQuestion(suspect) || suspect == Suspect::Masses ? 500 : 370;
+    return isOfQuestion(suspect) || suspect == Suspect::Masses ? 800 : 600;
 }
 
 /// Whether the line gives numbers as the start of what a stage sets itself: gravity = vec(0, -9.8).
@@ -85,7 +89,13 @@ std::vector<int> suspects(const FaultQuery &query)
     }
     // What was chosen or made at the start: a method, a circle.
     const std::vector<ProgramFunction> functions = functionsOf(program);
-    static const QRegularExpression choice(QStringLiteral("\\b(true|false|circle[12])\\b|[\"']"));
+    QStringList chosen{QStringLiteral("true|false|circle[12]")};
+    for (const ProgramFunction &each : functions) {
+        if (!each.name.isEmpty())
+            chosen.append(each.name + QStringLiteral("\\b(?!\\s*\\()"));
+    }
+    const QRegularExpression choice(
+        QStringLiteral("\\b(%1)|[\"']").arg(chosen.join(QLatin1Char('|'))));
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
         const ProgramFunction *function = functionAt(functions, line);
         if (function && function->name != QLatin1String("on_load"))
@@ -95,6 +105,10 @@ std::vector<int> suspects(const FaultQuery &query)
             && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
             add(line);
     }
+    // A hit of two is not a matter of the walls.
+    if (query.aspect == Aspect::Contact || query.aspect == Aspect::Response)
+        std::stable_partition(lines.begin(), lines.end(),
+                              [&](int line) { return !asksForWall(rows[line - 1]); });
     // Who only hands a value on seldom gets it wrong.
     std::set<int> copies;
     std::set<int> works;
@@ -175,6 +189,8 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     else if (query.aspect == Aspect::Response)
         add(valueRepairsOf(query.program, all, query.aspect, Suspect::Masses, query.moment,
                            query.ran.now, ValueChange::Completed));
+    putInOrder(changes, query.program,
+               soundLines(query.program, all, query.aspect, query.suspect, query.moment));
     return changes;
 }
 
@@ -187,25 +203,35 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     // What shows nothing proves nothing.
     if (query.ran.now.empty() || !look.showsFault())
         return std::nullopt;
-    Proof proof(query);
+    std::vector<Repair> likely;
     std::vector<Repair> doubtful;
+    std::optional<Repair> twins;
     std::map<int, int> tries;
-    int measured = 0;
+    int judged = 0;
     for (const Repair &repair : changesOf(query)) {
-        if (measured >= mostMeasured)
-            break;
         const Sight sight = look.of(repair.source);
-        if (sight == Sight::Once && doubtful.size() < mostDoubtful)
+        if (sight == Sight::Once && !isOfQuestion(query.suspect) && doubtful.size() < mostDoubtful)
             doubtful.push_back(repair);
-        if (sight != Sight::Twice || tries[repair.line] >= mostOfALine)
+        if (sight != Sight::Twice)
             continue;
-        ++measured;
-        ++tries[repair.line];
-        if (proof.take(repair))
-            return proof.best();
+        // Where nothing else is wrong, that is all.
+        if (query.passes && judged < mostJudged && !(twins && !repair.alone)) {
+            ++judged;
+            if (query.passes(repair.source)) {
+                if (repair.alone)
+                    return repair;
+                twins = repair;
+            }
+        }
+        if (likely.size() < mostMeasured && ++tries[repair.line] <= mostOfALine)
+            likely.push_back(repair);
     }
-    for (const Repair &repair : doubtful) {
-        if (proof.take(repair))
+    if (twins)
+        return twins;
+    Proof proof(query);
+    for (const std::vector<Repair> &those : {likely, doubtful}) {
+        if (std::any_of(those.begin(), those.end(),
+                        [&](const Repair &repair) { return proof.take(repair); }))
             break;
     }
     return proof.best();

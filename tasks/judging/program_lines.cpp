@@ -37,6 +37,8 @@ void ProgramLines::note(std::size_t i)
     if (token.kind != ProgramToken::Kind::Name)
         return;
     ++m_names[token.text];
+    if (is(i + 1, "."))
+        m_owners.insert(token.text);
     const bool field = is(i + 1, ".") && i + 2 < m_tokens.size()
                        && (m_tokens[i + 2].is("position") || m_tokens[i + 2].is("radius")
                            || m_tokens[i + 2].is("velocity"));

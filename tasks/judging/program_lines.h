@@ -39,6 +39,8 @@ public:
     [[nodiscard]] const std::vector<std::size_t> &tokensOf(int line) const;
 
     [[nodiscard]] bool hasName(const QString &name) const { return m_names.contains(name); }
+    /// Whether something is read or written of it: v of v.x.
+    [[nodiscard]] bool isOwner(const QString &name) const { return m_owners.contains(name); }
     /// The names that stand for the timestep.
     [[nodiscard]] const QSet<QString> &timesteps() const { return m_timesteps; }
     /// At most three circles that are named in a line or in those around it, the nearest first.
@@ -73,6 +75,7 @@ private:
     std::vector<qsizetype> m_starts{};
     std::map<int, std::vector<std::size_t>> m_rowTokens{};
     QHash<QString, int> m_names{}; ///< how often each is named
+    QSet<QString> m_owners{};
     QSet<QString> m_timesteps{};
     std::map<int, std::set<QString>> m_bodies{}; ///< names of circles, by line
 };

@@ -159,9 +159,10 @@ QStringList Quantities::sides(const QString &value) const
     static const QRegularExpression distance(QStringLiteral("\\babs\\b|:length"));
     if (m_sound.size() < 2)
         return {};
-    return value.contains(distance) ? m_sound.mid(1, 1)
-           : value.contains(reach)  ? m_sound.mid(0, 1)
-                                    : QStringList{};
+    const QStringList whole = value.contains(distance) ? m_sound.mid(1, 1)
+                              : value.contains(reach)  ? m_sound.mid(0, 1)
+                                                       : QStringList{};
+    return whole.isEmpty() ? whole : whole + QStringList{QStringLiteral("(%1) ^ 2").arg(whole[0])};
 }
 
 QStringList Quantities::completed(const QString &value, const QStringList &forgottenNames) const

@@ -22,7 +22,7 @@ public:
     /// Coordinates of such: right where they are all that a program gives.
     [[nodiscard]] const QStringList &parts() const { return m_parts; }
     /// What may stand on a side of a question of contact in place of a value: the sum of the radii,
-    /// the distance.
+    /// the distance, and the square of either.
     [[nodiscard]] QStringList sides(const QString &value) const;
     /// A value with what it may lack.
     /// \param forgottenNames  of what was worked out and is not used

@@ -51,6 +51,17 @@ void dropFirstTerm(RepairList &repairs, std::size_t i)
                     repairs.tokens()[sign + 1].start, {});
 }
 
+/// A later term of a sum too many, with all of its factors.
+void dropTerm(RepairList &repairs, std::size_t i)
+{
+    if (!isSum(repairs, i))
+        return;
+    const std::size_t after = afterProduct(repairs, i + 1);
+    if (after > i + 1)
+        repairs.replace(repairs.tokens()[i].line, repairs.tokens()[i].start,
+                        repairs.tokens()[after - 1].end(), {});
+}
+
 /// More than one factor too many at the end: * 180 / math.pi.
 void dropFactors(RepairList &repairs, std::size_t i)
 {
@@ -166,12 +177,36 @@ void countOther(RepairList &repairs, std::size_t i)
 void repairFactors(RepairList &repairs, std::size_t i)
 {
     dropFirstTerm(repairs, i);
+    dropTerm(repairs, i);
     dropFactors(repairs, i);
     gatherSum(repairs, i);
     countOther(repairs, i);
     copyFactor(repairs, i);
     useForgotten(repairs, i);
     shareSum(repairs, i);
+}
+
+void addCoordinate(RepairList &repairs, std::size_t i)
+{
+    if (!beginsSum(repairs, i))
+        return;
+    const std::size_t after = afterProduct(repairs, i);
+    if (after < i + 2 || isSum(repairs, after))
+        return;
+    const std::vector<ProgramToken> &tokens = repairs.tokens();
+    QString other;
+    bool isOther = false;
+    for (std::size_t at = i; at < after; ++at) {
+        const QString &text = tokens[at].text;
+        QString partner = text;
+        partner.replace(QLatin1Char('x'), QLatin1Char('y'));
+        const bool isCoordinate = tokens[at].kind == ProgramToken::Kind::Name && partner != text
+                                  && repairs.program().hasName(partner);
+        other += QLatin1Char(' ') + (isCoordinate ? partner : text);
+        isOther = isOther || isCoordinate;
+    }
+    if (isOther)
+        repairs.insertAfter(tokens[after - 1], QStringLiteral(" +") + other);
 }
 
 void scaleTerm(RepairList &repairs, std::size_t i)
@@ -183,6 +218,10 @@ void scaleTerm(RepairList &repairs, std::size_t i)
         return;
     const std::size_t after = afterProduct(repairs, i);
     if (!isSum(repairs, after) && !(i > 0 && isSum(repairs, i - 1)))
+        return;
+    // What a function is given was worked out where it is called.
+    const ProgramFunction *function = functionAt(repairs.functions(), first.line);
+    if (function && function->parameters.contains(first.text) && !repairs.is(i + 1, "."))
         return;
     for (const char *factor : {"2 * ", "restitution * "})
         repairs.replace(first.line, first.start, first.start, QLatin1String(factor));

@@ -61,8 +61,10 @@ private:
     QSet<QString> m_known{};
 };
 
-/// A number, a sign or a name for another, at token \p i.
+/// A number or a sign for another, at token \p i.
 void repairWords(RepairList &repairs, std::size_t i);
+/// A name for another, of a circle, a coordinate, an index, a function, at token \p i.
+void repairNames(RepairList &repairs, std::size_t i);
 /// A factor, a term or a bracket too many or at a wrong place, at token \p i.
 void repairTerms(RepairList &repairs, std::size_t i);
 /// A factor or a term too few, at token \p i.
@@ -73,9 +75,13 @@ void repairStatements(RepairList &repairs, std::size_t i);
 void repairScales(RepairList &repairs, std::size_t i);
 /// What is meant for another circle, part or direction, at token \p i.
 void repairExchanges(RepairList &repairs, std::size_t i);
-/// Several factors or a first term too many, a bracket or a count that is wrong, a factor that
+/// What stands in a list at a place where another of it belongs, behind token \p i.
+void repairElements(RepairList &repairs, std::size_t i);
+/// Several factors or a term too many, a bracket or a count that is wrong, a factor that
 /// stands elsewhere in the program, at token \p i.
 void repairFactors(RepairList &repairs, std::size_t i);
+/// One coordinate where a sum over both belongs: dx ^ 2, v.x * n.x, at token \p i.
+void addCoordinate(RepairList &repairs, std::size_t i);
 /// A term of a sum, twice or with e, at token \p i.
 void scaleTerm(RepairList &repairs, std::size_t i);
 /// What the line says of two, said the other way round or at once; a way out, not taken.

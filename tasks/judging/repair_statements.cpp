@@ -85,7 +85,6 @@ void changeRightSide(RepairList &repairs, std::size_t i)
         const QString one = source.mid(from, repairs.tokens()[comma - 1].end() - from);
         const qsizetype second = repairs.tokens()[comma + 1].start;
         const QString two = source.mid(second, end - second);
-        repairs.replace(line, from, end, QStringLiteral("%1, %2").arg(two, one));
         if (!returns)
             repairs.replace(line, from, end,
                             QStringLiteral("(%1) / ((%1)^2 + (%2)^2)^0.5, (%2) / ((%1)^2 + "

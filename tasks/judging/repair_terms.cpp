@@ -106,7 +106,7 @@ void addBrackets(RepairList &repairs, std::size_t i)
                     QStringLiteral("(%1)").arg(program.source().mid(from, to - from)));
 }
 
-/// Two arguments exchanged; a sum in place of the greater or the less; a function too many.
+/// A sum in place of the greater or the less; a function too many; the angle of a quotient.
 void changeCall(RepairList &repairs, std::size_t i)
 {
     const ProgramLines &program = repairs.program();
@@ -120,6 +120,10 @@ void changeCall(RepairList &repairs, std::size_t i)
     std::size_t comma = i + 1;
     while (comma < after && !repairs.is(comma, ","))
         comma = repairs.is(comma, "(") ? program.afterGroup(comma) : comma + 1;
+    const std::size_t one = program.afterOperand(i + 1);
+    if (tokens[i - 1].is("atan") && repairs.is(one, "/")
+        && program.afterOperand(one + 1) + 1 == after)
+        repairs.replace(tokens[one], QStringLiteral(","));
     if (comma == after && i > 1 && repairs.is(i - 2, ".") && repairs.is(i - 3, "math"))
         repairs.replace(line, tokens[i - 3].start, tokens[i].start, {});
     if (comma + 1 >= after || comma == i + 1)
@@ -128,13 +132,11 @@ void changeCall(RepairList &repairs, std::size_t i)
     const auto text = [&](std::size_t from, std::size_t to) {
         return source.mid(tokens[from].start, tokens[to - 1].end() - tokens[from].start);
     };
-    const QString one = text(i + 1, comma);
-    const QString two = text(comma + 1, after - 1);
-    repairs.replace(line, tokens[i + 1].start, tokens[after - 2].end(),
-                    QStringLiteral("%1, %2").arg(two, one));
+    const QString first = text(i + 1, comma);
+    const QString second = text(comma + 1, after - 1);
     if (tokens[i - 1].is("max") || tokens[i - 1].is("min"))
         repairs.replace(line, tokens[i].start, tokens[after - 1].end(),
-                        QStringLiteral("(%1 + %2, %1 + %2)").arg(one, two));
+                        QStringLiteral("(%1 + %2, %1 + %2)").arg(first, second));
 }
 
 } // namespace

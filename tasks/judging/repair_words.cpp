@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/repair_list.h"
 
-#include <QHash>
 #include <QSet>
 #include <QStringList>
-
-#include <algorithm>
 
 namespace cradle {
 
@@ -71,90 +68,12 @@ void changeSign(RepairList &repairs, std::size_t i)
     if (sign.is("-") && !binary)
         repairs.replace(sign, {});
     // A minus in front of what is given to a velocity or a function, but not of a circle.
-    const bool begins =
-        repairs.is(i, "=") || repairs.is(i, "(") || repairs.is(i, ",") || repairs.is(i, "return");
+    const bool begins = repairs.is(i, "=") || repairs.is(i, "(") || repairs.is(i, ",")
+                        || repairs.is(i, "return") || repairs.is(i, "and") || repairs.is(i, "or");
     if (begins && i + 1 < repairs.tokens().size()
         && repairs.tokens()[i + 1].kind == ProgramToken::Kind::Name
         && !isWholeCircle(repairs, i + 1))
         repairs.insertAfter(sign, QStringLiteral(" -"));
-}
-
-/// circle2 for circle1, b for a, y for x.
-void exchangeName(RepairList &repairs, std::size_t i)
-{
-    const ProgramToken &name = repairs.tokens()[i];
-    if (name.kind != ProgramToken::Kind::Name || repairs.program().isNewName(i))
-        return;
-    static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
-                                                     {QLatin1Char('1'), QLatin1Char('2')},
-                                                     {QLatin1Char('x'), QLatin1Char('y')}};
-    for (const auto &[one, two] : ends) {
-        for (const auto &[from, to] : {std::pair(one, two), std::pair(two, one)}) {
-            for (const qsizetype at : {qsizetype{0}, name.text.size() - 1}) {
-                QString partner = name.text;
-                if (partner[at] != from)
-                    continue;
-                partner[at] = to;
-                if (repairs.program().hasName(partner))
-                    repairs.replace(name, partner);
-            }
-        }
-    }
-    static const QHash<QString, QString> pairs{{QStringLiteral("right"), QStringLiteral("left")},
-                                               {QStringLiteral("left"), QStringLiteral("right")},
-                                               {QStringLiteral("top"), QStringLiteral("bottom")},
-                                               {QStringLiteral("bottom"), QStringLiteral("top")},
-                                               {QStringLiteral("max"), QStringLiteral("min")},
-                                               {QStringLiteral("min"), QStringLiteral("max")},
-                                               {QStringLiteral("sin"), QStringLiteral("cos")},
-                                               {QStringLiteral("cos"), QStringLiteral("sin")},
-                                               {QStringLiteral("one"), QStringLiteral("other")},
-                                               {QStringLiteral("other"), QStringLiteral("one")}};
-    const QString partner = pairs.value(name.text);
-    if (!partner.isEmpty())
-        repairs.replace(name, partner);
-    if (name.text == QLatin1String("restitution")) {
-        repairs.replace(name, QStringLiteral("1"));
-        repairs.replace(name, QStringLiteral("(1 + restitution)"));
-    }
-}
-
-/// A call of another function that takes as much; the other truth; the other of two texts.
-void exchangeChoice(RepairList &repairs, std::size_t i)
-{
-    const ProgramToken &token = repairs.tokens()[i];
-    if (token.is("true") || token.is("false"))
-        repairs.replace(token, token.is("true") ? QStringLiteral("false") : QStringLiteral("true"));
-    const auto &functions = repairs.functions();
-    const auto named = [&](const QString &name) {
-        return std::find_if(functions.begin(), functions.end(),
-                            [&](const ProgramFunction &each) { return each.name == name; });
-    };
-    const bool isText = token.kind == ProgramToken::Kind::Text;
-    const QString name = isText ? token.text.mid(1, token.text.size() - 2) : token.text;
-    const auto own = named(name);
-    if (own == functions.end() || name.isEmpty() || !(isText || repairs.is(i + 1, "("))
-        || (i > 0 && repairs.is(i - 1, "function")))
-        return;
-    for (const ProgramFunction &other : functions) {
-        const bool isLike = other.parameters.size() == own->parameters.size() && other.name != name
-                            && !other.name.isEmpty();
-        if (isLike)
-            repairs.replace(token.line, token.start + (isText ? 1 : 0),
-                            token.end() - (isText ? 1 : 0), other.name);
-    }
-}
-
-/// What belongs to one circle, taken from another that is named nearby.
-void exchangeOwner(RepairList &repairs, std::size_t i)
-{
-    const ProgramToken &name = repairs.tokens()[i];
-    if (name.kind != ProgramToken::Kind::Name || !repairs.is(i + 1, ".")
-        || !(repairs.is(i + 2, "radius") || repairs.is(i + 2, "mass")
-             || repairs.is(i + 2, "density")))
-        return;
-    for (const QString &body : repairs.program().bodiesNear(name.line))
-        repairs.replace(name, body);
 }
 
 } // namespace
@@ -163,9 +82,6 @@ void repairWords(RepairList &repairs, std::size_t i)
 {
     changeNumber(repairs, i);
     changeSign(repairs, i);
-    exchangeName(repairs, i);
-    exchangeOwner(repairs, i);
-    exchangeChoice(repairs, i);
 }
 
 } // namespace cradle

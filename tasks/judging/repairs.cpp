@@ -62,7 +62,10 @@ void RepairList::add(const QString &source, int line, bool alone)
 
 std::vector<Repair> RepairList::take()
 {
-    const std::size_t room = std::min(m_twins.size(), m_most - m_repairs.size());
+    // What is the same in several lines is tried at last, but not left out.
+    const std::size_t room = std::min(m_twins.size(), m_most / 4);
+    if (m_repairs.size() > m_most - room)
+        m_repairs.resize(m_most - room);
     std::move(m_twins.begin(), m_twins.begin() + static_cast<std::ptrdiff_t>(room),
               std::back_inserter(m_repairs));
     return std::move(m_repairs);
@@ -77,8 +80,10 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairWords(repairs, i);
+            repairNames(repairs, i);
             repairTerms(repairs, i);
             repairStatements(repairs, i);
+            repairElements(repairs, i);
             repairExchanges(repairs, i);
             repairFactors(repairs, i);
         }
@@ -89,6 +94,7 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
         for (const std::size_t i : program.tokensOf(line)) {
             repairOmissions(repairs, i);
             scaleTerm(repairs, i);
+            addCoordinate(repairs, i);
         }
         dropLine(repairs, line);
         repairLine(repairs, line);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/step_deviations.h"
 
+#include "tasks/checks/check_library.h"
+#include "tasks/judging/check_plan.h"
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/start_words.h"
@@ -12,6 +14,10 @@
 namespace cradle {
 
 namespace {
+
+/// The scenes of a changed program, and what each may take.
+constexpr qint64 probeSeed = 1;
+constexpr qint64 mostInstructions = 20'000'000;
 
 /// Whether a failure of a check of that kind can come of that aspect.
 bool concerns(const QString &kind, Aspect aspect)
@@ -50,13 +56,18 @@ StepDeviations::StepDeviations(const Task &task, const Submission &submission,
 const CheckOutcome *StepDeviations::failedOf(Aspect aspect) const
 {
     for (const CheckOutcome &outcome : m_checks) {
-        const auto spec =
-            std::find_if(m_task.checks.begin(), m_task.checks.end(),
-                         [&](const CheckSpec &check) { return check.id == outcome.id; });
-        if (!outcome.passed && spec != m_task.checks.end() && concerns(spec->kind, aspect))
+        const CheckSpec *check = specOf(outcome);
+        if (!outcome.passed && check && concerns(check->kind, aspect))
             return &outcome;
     }
     return nullptr;
+}
+
+const CheckSpec *StepDeviations::specOf(const CheckOutcome &outcome) const
+{
+    const auto spec = std::find_if(m_task.checks.begin(), m_task.checks.end(),
+                                   [&](const CheckSpec &check) { return check.id == outcome.id; });
+    return spec == m_task.checks.end() ? nullptr : &*spec;
 }
 
 bool StepDeviations::isAsked(Aspect aspect) const
@@ -113,6 +124,34 @@ std::vector<LawDeviation> StepDeviations::besides(const MeasuredLaws &laws, Aspe
             found.push_back(std::move(deviation));
     }
     return found;
+}
+
+bool StepDeviations::passes(const QString &program) const
+{
+    const Submission changed(m_submission.preset, program);
+    const auto isRight = [&](const CheckSpec &check, const Variant &variant) {
+        const Observation run = observe(variant, changed.program(), {}, mostInstructions);
+        return !run.error && !judge(check, run);
+    };
+    std::vector<CheckPlan> plans;
+    for (const CheckOutcome &outcome : m_checks) {
+        const CheckSpec *check = specOf(outcome);
+        if (outcome.passed || !outcome.scene || !check || check->kind == QLatin1String("start"))
+            continue;
+        plans.push_back(planOf(*check, m_submission.preset, m_task.locked, probeSeed));
+        for (Variant variant : plans.back().variants) {
+            if (variant.name != outcome.variant)
+                continue;
+            // What failed may be of another seed.
+            variant.preset = *outcome.scene;
+            if (!isRight(*check, variant))
+                return false;
+        }
+    }
+    return !plans.empty() && std::all_of(plans.begin(), plans.end(), [&](const CheckPlan &plan) {
+        return std::all_of(plan.variants.begin(), plan.variants.end(),
+                           [&](const Variant &each) { return isRight(*plan.check, each); });
+    });
 }
 
 } // namespace cradle

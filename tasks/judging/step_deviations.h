@@ -31,9 +31,13 @@ public:
     [[nodiscard]] std::vector<LawDeviation> of(const MeasuredLaws &laws, Aspect aspect) const;
     /// The same, and what is said of that beside it which a change may spoil.
     [[nodiscard]] std::vector<LawDeviation> besides(const MeasuredLaws &laws, Aspect aspect) const;
+    /// Whether another program passes all checks that failed but those of the start.
+    [[nodiscard]] bool passes(const QString &program) const;
 
 private:
     [[nodiscard]] bool isKnown(Aspect aspect) const;
+    /// Null of what is no check of the step, such as a breach.
+    [[nodiscard]] const CheckSpec *specOf(const CheckOutcome &outcome) const;
 
     const Task &m_task;
     const Submission &m_submission;

@@ -166,6 +166,27 @@ bool isSound(const QString &source, qsizetype from, qsizetype to, const QStringL
 
 } // namespace
 
+std::set<int> soundLines(const QString &source, const std::vector<int> &lines, Aspect aspect,
+                         Suspect suspect, const Moment &moment)
+{
+    const ProgramLines program(source);
+    const RepairList repairs(program, true, 0);
+    std::set<int> sound;
+    for (const int line : lines) {
+        const std::vector<Value> values = valuesAt(repairs, line, aspect);
+        const NamesAtHand names(program, repairs.assignments(), repairs.functions(), line);
+        const Quantities quantities(names, program.timesteps(), aspect, suspect);
+        const bool isRight = std::all_of(values.begin(), values.end(), [&](const Value &value) {
+            const qsizetype from = program.tokens()[value.from].start;
+            return isSound(source, from, program.tokens()[value.to - 1].end(), quantities.sound(),
+                           moment);
+        });
+        if (!values.empty() && isRight)
+            sound.insert(line);
+    }
+    return sound;
+}
+
 std::vector<Repair> valueRepairsOf(const QString &source, const std::vector<int> &lines,
                                    Aspect aspect, Suspect suspect, const Moment &moment,
                                    const std::set<int> &now, ValueChange change)

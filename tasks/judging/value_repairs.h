@@ -15,6 +15,10 @@ enum class ValueChange {
     Replaced,  ///< by what the aspect needs: a normal, a distance, the place where a wall turns
 };
 
+/// Those of \p lines in which all that is given is right up to \p moment.
+[[nodiscard]] std::set<int> soundLines(const QString &source, const std::vector<int> &lines,
+                                       Aspect aspect, Suspect suspect, const Moment &moment);
+
 /// Programs that differ from \p source in one whole value that a line gives, returns or hands on.
 /// What is right up to \p moment is left as it is.
 /// \param lines  in which something may be changed; they are tried as they stand in the program, of

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/repair_order.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Whose a value is, by its names: of the first, of the second, of both or of nobody.
+enum class Side { Nobody, First, Second, Both };
+/// Whether the names of what is given and of what gets it tell of the same.
+enum class Naming { Silent, Agrees, Disagrees };
+
+Side sideOf(const QString &text, QChar first, QChar second)
+{
+    static const QRegularExpression name(QStringLiteral("[A-Za-z_]\\w*"));
+    constexpr qsizetype shortName = 3;
+    bool isFirst = false;
+    bool isSecond = false;
+    for (auto it = name.globalMatch(text); it.hasNext();) {
+        const QString word = it.next().captured();
+        const bool ends = first.isDigit() || word.size() <= shortName || word.back().isUpper()
+                          || word[word.size() - 2] == QLatin1Char('_');
+        isFirst = isFirst || (ends && word.back().toLower() == first);
+        isSecond = isSecond || (ends && word.back().toLower() == second);
+    }
+    return isFirst && isSecond ? Side::Both
+           : isFirst           ? Side::First
+           : isSecond          ? Side::Second
+                               : Side::Nobody;
+}
+
+/// The parts of a list, without the commas between brackets.
+QStringList partsOf(const QString &list)
+{
+    QStringList parts{QString()};
+    int depth = 0;
+    for (const QChar c : list) {
+        depth += c == QLatin1Char('(') || c == QLatin1Char('{') ? 1 : 0;
+        depth -= c == QLatin1Char(')') || c == QLatin1Char('}') ? 1 : 0;
+        if (c == QLatin1Char(',') && depth == 0)
+            parts.append(QString());
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+Naming namingOf(const QString &row)
+{
+    static const QRegularExpression assignment(
+        QStringLiteral("^\\s*(?:local\\s+)?([\\w.\\s,\\[\\]]+?)\\s*=\\s*([^=].*)$"));
+    static const std::pair<QChar, QChar> sides[] = {{QLatin1Char('1'), QLatin1Char('2')},
+                                                    {QLatin1Char('a'), QLatin1Char('b')},
+                                                    {QLatin1Char('x'), QLatin1Char('y')}};
+    const QRegularExpressionMatch match = assignment.match(row);
+    if (!match.hasMatch())
+        return Naming::Silent;
+    QStringList targets = partsOf(match.captured(1));
+    const QStringList values = partsOf(match.captured(2));
+    if (values.size() == 1)
+        targets = {match.captured(1)};
+    Naming naming = Naming::Silent;
+    for (qsizetype k = 0; k < targets.size() && k < values.size(); ++k) {
+        for (const auto &[first, second] : sides) {
+            const Side to = sideOf(targets[k], first, second);
+            const Side of = sideOf(values[k], first, second);
+            const auto isOne = [](Side side) {
+                return side == Side::First || side == Side::Second;
+            };
+            if (!isOne(to) || !isOne(of))
+                continue;
+            if (to != of)
+                return Naming::Disagrees;
+            naming = Naming::Agrees;
+        }
+    }
+    return naming;
+}
+
+} // namespace
+
+void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound)
+{
+    static const QRegularExpression verdict(QStringLiteral("\\bif (true|false) then\\b"));
+    const QStringList rows = source.split(QLatin1Char('\n'));
+    const auto rankOf = [&](const Repair &repair) {
+        const Naming before = namingOf(rows.value(repair.line - 1));
+        const QString row =
+            repair.source.section(QLatin1Char('\n'), repair.line - 1, repair.line - 1);
+        const Naming after = namingOf(row);
+        if (row.contains(verdict) || sound.contains(repair.line)
+            || (before != Naming::Disagrees && after == Naming::Disagrees))
+            return 2;
+        return before == Naming::Disagrees && after != Naming::Disagrees ? 0 : 1;
+    };
+    std::vector<std::pair<int, Repair>> ranked;
+    for (Repair &repair : repairs) {
+        const int rank = rankOf(repair);
+        ranked.emplace_back(rank, std::move(repair));
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::transform(ranked.begin(), ranked.end(), repairs.begin(),
+                   [](auto &each) { return std::move(each.second); });
+}
+
+} // namespace cradle
