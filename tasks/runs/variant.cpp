@@ -128,7 +128,9 @@ private:
     void addFlight(int i)
     {
         Preset preset = stage(i, needed());
-        const Vec2 velocity = range(m_spec.speeds) * fromAngle(range(m_spec.angles));
+        // One after the other: which of two factors is drawn first is the compiler's choice.
+        const double angle = range(m_spec.angles);
+        const Vec2 velocity = range(m_spec.speeds) * fromAngle(angle);
         const Vec2 place{m_random.between(-1.0, 1.0), m_random.between(-1.0, 1.0)};
         for (PresetCircle &circle : preset.circles) {
             circle.body.position = place;
