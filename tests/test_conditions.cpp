@@ -67,8 +67,9 @@ QString eOf(const QString &step)
 /// Right work for a step, with conditions in front of its parts.
 struct Conditions {
     const char *start = "";
-    const char *move = "true"; ///< gravity
-    const char *go = "true";   ///< the way
+    const char *move = "true";  ///< gravity
+    const char *go = "true";    ///< the way
+    const char *fresh = "true"; ///< that it is the new velocity that makes the way
     const char *walls = "true";
     const char *turned = ""; ///< what is done after a hit at a wall
     const char *back = "";   ///< what a wall gives back, if not what it should
@@ -84,9 +85,10 @@ QString program(const QString &step, const Conditions &c, std::size_t form)
     const QByteArray back = *c.back ? QByteArray(c.back) : e.toLatin1();
     LawProgram law;
     law.start = text(c.start);
-    law.move = text("if %1 then c.velocity = c.velocity + gravity * h end "
-                    "if %2 then c.position = c.position + c.velocity * h end")
-                   .arg(text(c.move), text(c.go));
+    law.move = text("local before = c.velocity "
+                    "if %1 then c.velocity = c.velocity + gravity * h end "
+                    "if %2 then c.position = c.position + (%3 and c.velocity or before) * h end")
+                   .arg(text(c.move), text(c.go), text(c.fresh));
     law.walls = text("local came = c.velocity if %1 then %2 if c.velocity ~= came then %3 end end")
                     .arg(text(c.walls), wallsOf(wallWays[form], "c.radius", back.constData()),
                          text(c.turned));
@@ -181,6 +183,15 @@ void TestConditions::conditionIsNamed_data()
     rows("way until", {"L42T7", "L42T12"},
          "The way of both circles in a step is v Δt only up to a time between ",
          {.go = "time < 5"});
+    rows("method until", {"L42T7", "L42T17"},
+         "The motion of both circles is symplectic Euler only up to a time between ",
+         {.fresh = "time < 2"});
+    rows("method until a wall", {"L42T7", "L42T17"},
+         "The motion of both circles is symplectic Euler only until it has hit a wall",
+         {.start = "touched = false", .fresh = "not touched", .turned = "touched = true"});
+    rows("gravity after a wall", {"L42T7"},
+         "Gravity acts on both circles as it should only after it has hit a wall",
+         {.start = "touched = false", .move = "touched", .turned = "touched = true"});
     rows("first hit", {"L42T12", "L42T16", "L42T17"}, "A later hit is not answered",
          {.start = "met = false", .hit = "closing > 0 and not met", .met = "met = true"});
     rows("hits above", {"L42T12", "L42T16"},

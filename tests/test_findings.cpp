@@ -121,6 +121,13 @@ void TestFindings::oneFaultIsToldOnce_data()
                     "c.position = c.position + c.velocity * h "
                     "if math.abs(c.velocity.y) < 2 then c.velocity = vec(c.velocity.x, 0) end");
         });
+    row("L42T12", "velocity never written back", "Nothing changes the velocity of circle 2",
+        [](OtherForm &f) {
+            f.integrate = lab("if c.index == 2 then kept = c.velocity end "
+                              "c.position = c.position + c.velocity * h");
+            f.walls += lab(" if c.index == 2 then c.velocity = kept end");
+            f.answer += lab(" circle2.velocity = kept");
+        });
     row("L42T9", "distance beside a square, near one radius", "The circles answer too late",
         [](OtherForm &f) { f.reach = lab("(p.radius + q.radius) ^ 2"); });
     row("L42T7", "gravity sideways, too", "Gravity pulls both circles in a wrong direction",

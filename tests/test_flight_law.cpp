@@ -100,7 +100,7 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "half of the fall", way, "gravity * h / 2",
         text("The velocity of both circles gets only half of gravity"));
     row("L42T4", "fall upward", way, "-1 * gravity * h",
-        text("Gravity pushes both circles against its own direction"));
+        text("The acceleration of both circles is opposite to gravity"));
     row("L42T4", "no fall", way, "vec(0, 0)", text("Gravity does not act on both circles"));
     row("L42T4", "fall sideways", way, "vec(gravity.y, 0) * h",
         text("Gravity pulls both circles in a wrong direction"));
@@ -158,6 +158,11 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "towards each other", way,
         "gravity * h + (circles[3 - c.index].position - c.position) * h",
         text("The flight of both circles depends on another circle"));
+    row("L42T4", "symplectic in falling",
+        "(c.velocity.y > 0 and c.velocity or c.velocity + gravity * h) * h", fall,
+        text("The method that moves both circles depends on the velocity"));
+    row("L42T4", "on from the first", "circles[1].position - c.position + c.velocity * h", fall,
+        text("Every step moves circle 2 on from where circle 1 is"));
     // What a step does must not hang on when it is made, nor on whether it is the first.
     const QString late =
         QStringLiteral("The step of both circles depends on how long the run has lasted");

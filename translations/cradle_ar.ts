@@ -2128,10 +2128,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تؤثر الجاذبية في %who</translation>
     </message>
     <message>
-        <source>Gravity pushes %who against its own direction</source>
-        <translation>تدفع الجاذبية %who عكس اتجاهها</translation>
-    </message>
-    <message>
         <source>Look at the signs.</source>
         <translation>انظر إلى الإشارات.</translation>
     </message>
@@ -2302,10 +2298,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>The way of %who in a step is not v Δt</source>
         <translation>مسافة %who في الخطوة ليست ⁦v&#xa0;Δt⁩</translation>
-    </message>
-    <message>
-        <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
-        <translation>انظر ماذا يأخذ السطر الذي يغيّر الموضع، وإلى الشروط التي قبله.</translation>
     </message>
     <message>
         <source>The way of %who is not multiplied by the timestep</source>
@@ -3469,10 +3461,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>لا تتغير سرعة %who كما ينبغي إلا %1</translation>
     </message>
     <message>
-        <source>At %1 s of that run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
-        <translation>عند ⁦%1 s⁩ من ذلك التشغيل غيّرت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، سرعتها بمقدار ⁦%4 m/s⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m/s⁩.</translation>
-    </message>
-    <message>
         <source>the first time</source>
         <translation>في المرة الأولى</translation>
     </message>
@@ -3597,10 +3585,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>طيران %who يتوقف على دائرة أخرى</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later; with every other circle at rest and elsewhere it has %4 m/s.</source>
-        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوتين مدة كل منهما ⁦%3 s⁩؛ وإذا كانت كل دائرة أخرى ساكنة في مكان آخر كانت ⁦%4 m/s⁩.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, it goes %2 m in the second step of %3 s; with every other circle at rest and elsewhere %4 m.</source>
         <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ تقدمت ⁦%2 m⁩ في الخطوة الثانية ومدتها ⁦%3 s⁩؛ وإذا كانت كل دائرة أخرى ساكنة في مكان آخر تقدمت ⁦%4 m⁩.</translation>
     </message>
@@ -3615,10 +3599,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
         <translation>من ⁨%1⁩ من تصادمات الدائرتين، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
-    </message>
-    <message>
-        <source>Of %1 steps of free flight, here and there, early and late in one run, %2 came out right.</source>
-        <translation>من ⁨%1⁩ من خطوات الطيران الحر، هنا وهناك، مبكرًا ومتأخرًا في تشغيل واحد، جاء ⁨%2⁩ صحيحًا.</translation>
     </message>
     <message>
         <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
@@ -3691,10 +3671,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>The way of %who in a step is v Δt only %1</source>
         <translation>لا تكون مسافة %who في الخطوة ⁦v Δt⁩ إلا %1</translation>
-    </message>
-    <message>
-        <source>At %1 s of that run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
-        <translation>عند ⁦%1 s⁩ من ذلك التشغيل تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m⁩.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
@@ -3811,6 +3787,70 @@ So it is when the run begins.</source>
     <message>
         <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
         <translation>وفي خطوة مدتها ⁦%1 s⁩ تحتفظ منها بالقدر نفسه، ⁨%2⁩ منها: فما يحدث في ثانية يتوقف على ⁦Δt⁩.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who on from where circle %1 is</source>
+        <translation>كل خطوة تحرّك %who من حيث توجد الدائرة ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>Wherever the two start, one step later they are near each other. Each circle goes on from its own place: look at the names in the line that moves it.</source>
+        <translation>أينما بدأت الدائرتان تصبحان متقاربتين بعد خطوة واحدة. كل دائرة تمضي من موضعها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, its velocity changes by %2 m/s in the second step of %3 s; with every other circle at rest and elsewhere by %4 m/s.</source>
+        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ تغيّرت سرعتها ⁦%2 m/s⁩ في الخطوة الثانية ومدتها ⁦%3 s⁩؛ وإذا كانت كل دائرة أخرى ساكنة في مكان آخر تغيّرت ⁦%4 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who is opposite to gravity</source>
+        <translation>تسارع %who معاكس للجاذبية</translation>
+    </message>
+    <message>
+        <source>The motion of %who is %1 only %2</source>
+        <translation>حركة %who هي %1 %2 فقط</translation>
+    </message>
+    <message>
+        <source>until it has hit a wall</source>
+        <translation>حتى تصدم جدارًا</translation>
+    </message>
+    <message>
+        <source>after it has hit a wall</source>
+        <translation>بعد أن تصدم جدارًا</translation>
+    </message>
+    <message>
+        <source>Nothing changes the velocity of circle %1
+
+In your own scene it has %2 m/s from the start to the end of %3 s, though it comes to a wall and to another circle. Both must give it a new velocity: look for where that is assigned.</source>
+        <translation>لا شيء يغيّر سرعة الدائرة ⁨%1⁩
+
+في مشهدك سرعتها ⁦%2 m/s⁩ من البداية إلى نهاية ⁦%3 s⁩، مع أنها تصل إلى جدار وإلى دائرة أخرى. وكلاهما يجب أن يعطيها سرعة جديدة: ابحث أين تُسند.</translation>
+    </message>
+    <message>
+        <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
+        <translation>انظر ماذا يأخذ السطر الذي يغيّر الموضع، وما الذي يُسأل قبله.</translation>
+    </message>
+    <message>
+        <source>The method that moves %who depends on the velocity</source>
+        <translation>الطريقة التي تحرّك %who تتوقف على السرعة</translation>
+    </message>
+    <message>
+        <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
+        <translation>زيادة على ⁦v Δt⁩ تتقدم ⁦%1 g Δt²⁩ حيث سرعتها ⁦%2 m/s⁩، و⁦%3 g Δt²⁩ حيث سرعتها ⁦%4 m/s⁩. أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة ⁦½ g Δt²⁩. انظر ما الذي يُسأل قبل الأسطر التي تحرّكها.</translation>
+    </message>
+    <message>
+        <source>Of %1 steps of free flight, here and there, early and late, %2 came out right.</source>
+        <translation>من ⁨%1⁩ من خطوات الطيران الحر، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها غيّرت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، سرعتها بمقدار ⁦%4 m/s⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ وبتلك الطريقة تكون ⁦%6 m⁩.</translation>
     </message>
 </context>
 <context>

@@ -2176,10 +2176,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Schwerkraft wirkt nicht auf %who</translation>
     </message>
     <message>
-        <source>Gravity pushes %who against its own direction</source>
-        <translation>Die Schwerkraft drückt %who gegen ihre eigene Richtung</translation>
-    </message>
-    <message>
         <source>Look at the signs.</source>
         <translation>Sieh dir die Vorzeichen an.</translation>
     </message>
@@ -2944,10 +2940,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>x und y der Geschwindigkeit sind vertauscht, wo %who sich bewegt</translation>
     </message>
     <message>
-        <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
-        <translation>Sieh nach, was die Zeile nimmt, die den Ort ändert, und welche Bedingungen davor stehen.</translation>
-    </message>
-    <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.</source>
         <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) war die Änderung von v₁ das %5-Fache der von v₂; richtig ist m₂/m₁ = %6.</translation>
     </message>
@@ -3445,10 +3437,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Die Geschwindigkeit ändert sich nur %1 so, wie sie soll (%who)</translation>
     </message>
     <message>
-        <source>At %1 s of that run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
-        <translation>Nach %1 s dieses Laufs änderte Kreis %2 bei %3 m, fern von allen anderen, seine Geschwindigkeit in einem Schritt von %5 s um %4 m/s; richtig ist %6 m/s.</translation>
-    </message>
-    <message>
         <source>the first time</source>
         <translation>beim ersten Mal</translation>
     </message>
@@ -3573,10 +3561,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Der Flug hängt für %who von einem anderen Kreis ab</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later; with every other circle at rest and elsewhere it has %4 m/s.</source>
-        <translation>Mit %1 m/s gestartet, hat er zwei Schritte von %3 s später %2 m/s; ruht jeder andere Kreis an einem anderen Ort, hat er %4 m/s.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, it goes %2 m in the second step of %3 s; with every other circle at rest and elsewhere %4 m.</source>
         <translation>Mit %1 m/s gestartet, kommt er im zweiten Schritt von %3 s um %2 m weiter; ruht jeder andere Kreis an einem anderen Ort, um %4 m.</translation>
     </message>
@@ -3591,10 +3575,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
         <translation>Von %1 Stößen der beiden Kreise, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
-    </message>
-    <message>
-        <source>Of %1 steps of free flight, here and there, early and late in one run, %2 came out right.</source>
-        <translation>Von %1 Schritten freien Flugs, hier und dort, früh und spät in einem Lauf, sind %2 richtig ausgegangen.</translation>
     </message>
     <message>
         <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
@@ -3667,10 +3647,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>The way of %who in a step is v Δt only %1</source>
         <translation>Für %who ist der Weg eines Schritts nur %1 v Δt</translation>
-    </message>
-    <message>
-        <source>At %1 s of that run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
-        <translation>Nach %1 s dieses Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; richtig ist %6 m.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
@@ -3787,6 +3763,70 @@ So ist es, wenn der Lauf beginnt.</translation>
     <message>
         <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
         <translation>In einem Schritt von %1 s behält er davon ebenso viel, das %2-fache: So hängt von Δt ab, was in einer Sekunde geschieht.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who on from where circle %1 is</source>
+        <translation>Jeder Schritt bewegt %who von dort weiter, wo Kreis %1 ist</translation>
+    </message>
+    <message>
+        <source>Wherever the two start, one step later they are near each other. Each circle goes on from its own place: look at the names in the line that moves it.</source>
+        <translation>Wo die beiden auch starten, einen Schritt später sind sie nahe beieinander. Jeder Kreis geht von seinem eigenen Ort weiter: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, its velocity changes by %2 m/s in the second step of %3 s; with every other circle at rest and elsewhere by %4 m/s.</source>
+        <translation>Mit %1 m/s gestartet, ändert er im zweiten Schritt von %3 s seine Geschwindigkeit um %2 m/s; ruht jeder andere Kreis an einem anderen Ort, um %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who is opposite to gravity</source>
+        <translation>Die Beschleunigung ist für %who der Schwerkraft entgegengesetzt</translation>
+    </message>
+    <message>
+        <source>The motion of %who is %1 only %2</source>
+        <translation>Für %who ist die Bewegung nur %2 %1</translation>
+    </message>
+    <message>
+        <source>until it has hit a wall</source>
+        <translation>bis er eine Wand getroffen hat</translation>
+    </message>
+    <message>
+        <source>after it has hit a wall</source>
+        <translation>nachdem er eine Wand getroffen hat</translation>
+    </message>
+    <message>
+        <source>Nothing changes the velocity of circle %1
+
+In your own scene it has %2 m/s from the start to the end of %3 s, though it comes to a wall and to another circle. Both must give it a new velocity: look for where that is assigned.</source>
+        <translation>Nichts ändert die Geschwindigkeit von Kreis %1
+
+In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er an eine Wand und an einen anderen Kreis kommt. Beides muss ihm eine neue Geschwindigkeit geben: Suche, wo diese zugewiesen wird.</translation>
+    </message>
+    <message>
+        <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
+        <translation>Sieh dir an, was die Zeile nimmt, die den Ort ändert, und was vor ihr gefragt wird.</translation>
+    </message>
+    <message>
+        <source>The method that moves %who depends on the velocity</source>
+        <translation>Das Verfahren, das %who bewegt, hängt von der Geschwindigkeit ab</translation>
+    </message>
+    <message>
+        <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
+        <translation>Außer v Δt kommt er um %1 g Δt² weiter, wo seine Geschwindigkeit %2 m/s ist, und um %3 g Δt², wo sie %4 m/s ist. Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren ½ g Δt². Sieh dir an, was vor den Zeilen gefragt wird, die ihn bewegen.</translation>
+    </message>
+    <message>
+        <source>Of %1 steps of free flight, here and there, early and late, %2 came out right.</source>
+        <translation>Von %1 Schritten freien Flugs, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>Nach %1 s seines Laufs änderte Kreis %2 bei %3 m, fern von allen anderen, seine Geschwindigkeit in einem Schritt von %5 s um %4 m/s; richtig ist %6 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; richtig ist %6 m.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; nach jenem Verfahren sind es %6 m.</translation>
     </message>
 </context>
 <context>

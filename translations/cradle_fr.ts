@@ -2104,10 +2104,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La pesanteur n&apos;agit pas sur %who</translation>
     </message>
     <message>
-        <source>Gravity pushes %who against its own direction</source>
-        <translation>La pesanteur pousse %who dans le sens opposé au sien</translation>
-    </message>
-    <message>
         <source>Look at the signs.</source>
         <translation>Regardez les signes.</translation>
     </message>
@@ -2278,10 +2274,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>The way of %who in a step is not v Δt</source>
         <translation>Le chemin d&apos;un pas n&apos;est pas v Δt pour %who</translation>
-    </message>
-    <message>
-        <source>Look at what the line that changes the position takes, and at the conditions in front of it.</source>
-        <translation>Regardez ce que prend la ligne qui change la position, et les conditions devant elle.</translation>
     </message>
     <message>
         <source>The way of %who is not multiplied by the timestep</source>
@@ -3445,10 +3437,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>La vitesse ne change comme il faut que %1 (%who)</translation>
     </message>
     <message>
-        <source>At %1 s of that run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
-        <translation>À %1 s de cette exécution, le cercle %2, à %3 m et loin de tous les autres, a changé sa vitesse de %4 m/s en un pas de %5 s&#xa0;; il faut %6 m/s.</translation>
-    </message>
-    <message>
         <source>the first time</source>
         <translation>la première fois</translation>
     </message>
@@ -3573,10 +3561,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Le vol dépend d&apos;un autre cercle, pour %who</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later; with every other circle at rest and elsewhere it has %4 m/s.</source>
-        <translation>Parti à %1 m/s, il a %2 m/s deux pas de %3 s plus tard&#xa0;; si tous les autres cercles sont ailleurs et au repos, il a %4 m/s.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, it goes %2 m in the second step of %3 s; with every other circle at rest and elsewhere %4 m.</source>
         <translation>Parti à %1 m/s, il avance de %2 m au deuxième pas de %3 s&#xa0;; si tous les autres cercles sont ailleurs et au repos, de %4 m.</translation>
     </message>
@@ -3591,10 +3575,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
         <translation>Sur %1 chocs des deux cercles, ici et là, tôt et tard, %2 se sont bien passés.</translation>
-    </message>
-    <message>
-        <source>Of %1 steps of free flight, here and there, early and late in one run, %2 came out right.</source>
-        <translation>Sur %1 pas de vol libre, ici et là, tôt et tard dans une exécution, %2 se sont bien passés.</translation>
     </message>
     <message>
         <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
@@ -3667,10 +3647,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>The way of %who in a step is v Δt only %1</source>
         <translation>Le chemin d&apos;un pas n&apos;est v Δt que %1, pour %who</translation>
-    </message>
-    <message>
-        <source>At %1 s of that run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
-        <translation>À %1 s de cette exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; il faut %6 m.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
@@ -3787,6 +3763,70 @@ C&apos;est ainsi au début de l&apos;exécution.</translation>
     <message>
         <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
         <translation>En un pas de %1 s, il en garde autant, %2 fois&#xa0;: ce qui se passe en une seconde dépend donc de Δt.</translation>
+    </message>
+    <message>
+        <source>Every step moves %who on from where circle %1 is</source>
+        <translation>Chaque pas part de la position du cercle %1, pour %who</translation>
+    </message>
+    <message>
+        <source>Wherever the two start, one step later they are near each other. Each circle goes on from its own place: look at the names in the line that moves it.</source>
+        <translation>Où que les deux partent, un pas plus tard ils sont l&apos;un près de l&apos;autre. Chaque cercle continue depuis sa propre position&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, its velocity changes by %2 m/s in the second step of %3 s; with every other circle at rest and elsewhere by %4 m/s.</source>
+        <translation>Parti à %1 m/s, il change sa vitesse de %2 m/s au deuxième pas de %3 s&#xa0;; si tous les autres cercles sont ailleurs et au repos, de %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who is opposite to gravity</source>
+        <translation>L&apos;accélération est opposée à la pesanteur, pour %who</translation>
+    </message>
+    <message>
+        <source>The motion of %who is %1 only %2</source>
+        <translation>Le mouvement n&apos;est %1 que %2, pour %who</translation>
+    </message>
+    <message>
+        <source>until it has hit a wall</source>
+        <translation>jusqu&apos;à ce qu&apos;il ait touché une paroi</translation>
+    </message>
+    <message>
+        <source>after it has hit a wall</source>
+        <translation>après avoir touché une paroi</translation>
+    </message>
+    <message>
+        <source>Nothing changes the velocity of circle %1
+
+In your own scene it has %2 m/s from the start to the end of %3 s, though it comes to a wall and to another circle. Both must give it a new velocity: look for where that is assigned.</source>
+        <translation>Rien ne change la vitesse du cercle %1
+
+Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;il arrive à une paroi et à un autre cercle. Les deux doivent lui donner une nouvelle vitesse&#xa0;: cherchez où elle est affectée.</translation>
+    </message>
+    <message>
+        <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
+        <translation>Regardez ce que prend la ligne qui change la position, et ce qui est demandé avant elle.</translation>
+    </message>
+    <message>
+        <source>The method that moves %who depends on the velocity</source>
+        <translation>La méthode qui déplace %who dépend de la vitesse</translation>
+    </message>
+    <message>
+        <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
+        <translation>Outre v Δt, il avance de %1 g Δt² là où sa vitesse est de %2 m/s, et de %3 g Δt² là où elle est de %4 m/s. Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes ½ g Δt². Regardez ce qui est demandé avant les lignes qui le déplacent.</translation>
+    </message>
+    <message>
+        <source>Of %1 steps of free flight, here and there, early and late, %2 came out right.</source>
+        <translation>Sur %1 pas de vol libre, ici et là, tôt et tard, %2 se sont bien passés.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a changé sa vitesse de %4 m/s en un pas de %5 s&#xa0;; il faut %6 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; il faut %6 m.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
+        <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; par cette méthode, c&apos;est %6 m.</translation>
     </message>
 </context>
 <context>

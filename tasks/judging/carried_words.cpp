@@ -76,6 +76,13 @@ public:
                                        "it for the next.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
+        if (f.leader >= 0 && f.isFromLeader && right().leader < 0)
+            return said(FlightText::tr("Every step moves %who on from where circle %1 is")
+                            .arg(f.leader + 1),
+                        FlightText::tr("Wherever the two start, one step later they are near each "
+                                       "other. Each circle goes on from its own place: look at "
+                                       "the names in the line that moves it."),
+                        true);
         if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
             return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
                         FlightText::tr("In a scene in which circle %1 alone has a velocity, %who "
@@ -116,24 +123,23 @@ public:
         const Flight::Step &seen = flight(0).seen[0];
         if (!own || !wanted || isSame(*own, seen) || !isSame(*wanted, right().seen[0]))
             return std::nullopt;
-        const Vec2 then = own->velocity + own->turn;
-        const Vec2 now = seen.velocity + seen.turn;
-        const bool isTurn = brief(then) != brief(now);
+        const bool isTurn = brief(own->turn) != brief(seen.turn);
         if (!isTurn && brief(own->way) == brief(seen.way))
             return std::nullopt;
-        const QString h = briefTimestep(timestep());
-        return said(
-            FlightText::tr("The flight of %who depends on another circle"),
-            (isTurn ? FlightText::tr("Started with %1 m/s, it has %2 m/s two steps of %3 s later; "
-                                     "with every other circle at rest and elsewhere it has %4 m/s.")
-                          .arg(brief(flight(0).startedWith), brief(now), h, brief(then))
-                    : FlightText::tr("Started with %1 m/s, it goes %2 m in the second step of %3 "
-                                     "s; with every other circle at rest and elsewhere %4 m.")
-                          .arg(brief(flight(0).startedWith), brief(seen.way), h, brief(own->way)))
-                + QLatin1Char(' ')
-                + FlightText::tr("They are far from each other. Look at what the lines that move "
-                                 "one circle take from another, and at what is asked before them."),
-            !isTurn);
+        const QString text =
+            isTurn ? FlightText::tr("Started with %1 m/s, its velocity changes by %2 m/s in the "
+                                    "second step of %3 s; with every other circle at rest and "
+                                    "elsewhere by %4 m/s.")
+                   : FlightText::tr("Started with %1 m/s, it goes %2 m in the second step of %3 s; "
+                                    "with every other circle at rest and elsewhere %4 m.");
+        return said(FlightText::tr("The flight of %who depends on another circle"),
+                    text.arg(brief(flight(0).startedWith), brief(isTurn ? seen.turn : seen.way),
+                             briefTimestep(timestep()), brief(isTurn ? own->turn : own->way))
+                        + QLatin1Char(' ')
+                        + FlightText::tr("They are far from each other. Look at what the lines "
+                                         "that move one circle take from another, and at what is "
+                                         "asked before them."),
+                    !isTurn);
     }
 
 private:

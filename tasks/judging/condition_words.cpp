@@ -20,8 +20,8 @@ QString ConditionComparison::counted(Aspect aspect, const std::vector<Occasion> 
         case Aspect::Motion:
             break;
         }
-        return ConditionText::tr("Of %1 steps of free flight, here and there, early and late in "
-                                 "one run, %2 came out right.");
+        return ConditionText::tr("Of %1 steps of free flight, here and there, early and late, %2 "
+                                 "came out right.");
     }();
     return QLatin1String("\n\n") + text.arg(when.size()).arg(rightOnes(when)) + QLatin1Char(' ');
 }

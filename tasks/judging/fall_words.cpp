@@ -187,7 +187,7 @@ private:
                     FlightText::tr("In every step gravity must change its velocity: look for the "
                                    "line that does it, and at what is asked before it.")};
         if (std::abs(p.value + 1.0) < wrong)
-            return {FlightText::tr("Gravity pushes %who against its own direction"),
+            return {FlightText::tr("The acceleration of %who is opposite to gravity"),
                     FlightText::tr("Look at the signs.")};
         if (std::abs(p.value - 2.0) < wrong)
             return {FlightText::tr("Gravity acts on %who twice as strongly"),

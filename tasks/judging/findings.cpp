@@ -9,6 +9,7 @@
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/step_deviations.h"
 #include "tasks/judging/task_laws.h"
+#include "tasks/judging/unchanged_words.h"
 #include "tasks/script/script_limits.h"
 
 #include <algorithm>
@@ -44,8 +45,11 @@ public:
         take(Aspect::Start, m_deviations.of(m_own, Aspect::Start));
         for (const Aspect aspect :
              {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
+            if (aspect == Aspect::Walls)
+                takeUnchanged();
             if (!m_deviations.isAsked(aspect) || (aspect == Aspect::Motion && isTurnedAhead())
-                || (aspect == Aspect::Walls && m_motion.isOfPlace))
+                || (aspect == Aspect::Response && m_unchanged)
+                || (aspect != Aspect::Motion && m_motion.isOfPlace))
                 continue;
             ConditionedAspect said = withConditions(aspect);
             take(aspect, said.deviations);
@@ -102,6 +106,9 @@ private:
     [[nodiscard]] ConditionedAspect withConditions(Aspect aspect) const
     {
         std::vector<LawDeviation> found = m_deviations.of(m_own, aspect);
+        std::erase_if(found, [&](const LawDeviation &each) {
+            return m_unchanged && each.moment.circles == std::vector<int>{*m_unchanged};
+        });
         // How they fly is not always the same: nor is what comes of it.
         if (!m_motion.deviations.empty() && m_motion.deviations.front().isConditional)
             return {std::move(found), false};
@@ -109,6 +116,18 @@ private:
         return conditioned(aspect, std::move(found), m_own, m_right, m_ground,
                            {.stage = {failed.scene.value_or(m_ground.own), failed.pinned},
                             .step = std::max<qint64>(failed.step, 1)});
+    }
+
+    /// What is said of walls and hits at once.
+    void takeUnchanged()
+    {
+        if (!m_deviations.isAsked(Aspect::Walls) || !m_deviations.isAsked(Aspect::Response))
+            return;
+        const auto unchanged = unchangedVelocity(m_submission.program(), m_ground);
+        if (!unchanged)
+            return;
+        m_unchanged = unchanged->moment.circles.front();
+        add(*unchanged, {}, unchanged->message);
     }
 
     void take(Aspect aspect, const std::vector<LawDeviation> &deviations)
@@ -159,6 +178,7 @@ private:
     StepDeviations m_deviations{m_task, m_submission, m_checks, m_right, m_ground};
     std::optional<FaultLines> m_lines{};
     ConditionedAspect m_motion{};          ///< what was found of it
+    std::optional<int> m_unchanged{};      ///< the circle whose velocity nothing changes
     const MeasuredLaws *m_named = nullptr; ///< of the known mistake that was found last
     std::vector<Finding> m_findings;
 };

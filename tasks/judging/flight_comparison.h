@@ -156,6 +156,8 @@ protected:
 /// \param isFallRight  else only a method that is known and is none of those asked for
 [[nodiscard]] std::optional<FlightSaid> methodSaid(const FlightComparison &comparison,
                                                    bool isFallRight);
+/// The method that adds that share of g Δt² to v Δt; empty if none does.
+[[nodiscard]] QString methodName(double share);
 /// What is wrong with the methods of all circles together.
 [[nodiscard]] std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own,
                                                           const Ground &ground);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/condition_comparison.h"
+#include "tasks/judging/flight_comparison.h"
 
 namespace cradle {
 
@@ -17,9 +18,11 @@ public:
 
     [[nodiscard]] ConditionedAspect judge()
     {
-        sayTurns();
-        if (m_said.deviations.empty() || !m_said.deviations.front().isConditional)
-            sayWays();
+        for (const auto law : {&FlightConditions::sayTurns, &FlightConditions::sayWays,
+                               &FlightConditions::sayMethods}) {
+            if (m_said.deviations.empty() || !m_said.deviations.front().isConditional)
+                (this->*law)();
+        }
         return std::move(m_said);
     }
 
@@ -92,7 +95,7 @@ private:
         sayOf(series, *condition,
               isFall ? ConditionText::tr("Gravity acts on %who as it should only %1")
                      : ConditionText::tr("The velocity of %who changes as it should only %1"),
-              ConditionText::tr("At %1 s of that run circle %2, at %3 m and far from all others, "
+              ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
                                 "changed its velocity by %4 m/s in a step of %5 s; %6 m/s is "
                                 "right."),
               was, wanted);
@@ -113,10 +116,48 @@ private:
             return;
         const FlightOccasion &seen = *series.firstWrong().own;
         sayOf(series, *condition, ConditionText::tr("The way of %who in a step is v Δt only %1"),
-              ConditionText::tr("At %1 s of that run circle %2, at %3 m and far from all others, "
+              ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
                                 "went %4 m in a step of %5 s; %6 m is right."),
               seen.after.position - seen.before.position,
               wantedOf(seen).position - seen.before.position, true);
+    }
+
+    /// A circle that moves by one method in the beginning must keep it.
+    void sayMethods()
+    {
+        const Vec2 fall = timestep() * timestep() * m_ground.gravities.front();
+        if (lengthSquared(fall) == 0.0)
+            return;
+        const auto share = [&](const FlightOccasion &seen) {
+            const Vec2 more =
+                seen.after.position - seen.before.position - timestep() * seen.before.velocity;
+            return dot(more, fall) / lengthSquared(fall);
+        };
+        const auto &all = m_own.flightAgain();
+        const auto first = [&](int circle) {
+            const auto at = std::find_if(all.begin(), all.end(), [&](const FlightOccasion &seen) {
+                return seen.circle == circle;
+            });
+            return share(*at);
+        };
+        const auto series = mixed(
+            [&](const FlightOccasion &seen) {
+                return !isNearWall(seen) && !methodName(first(seen.circle)).isEmpty();
+            },
+            [&](const FlightOccasion &seen) {
+                return std::abs(share(seen) - first(seen.circle)) < 0.01;
+            });
+        const auto condition = dividing(series);
+        if (!condition)
+            return;
+        const FlightOccasion &seen = *series.firstWrong().own;
+        sayOf(series, *condition,
+              ConditionText::tr("The motion of %who is %1 only %2")
+                  .arg(methodName(first(seen.circle)), QStringLiteral("%1")),
+              ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
+                                "went %4 m in a step of %5 s; by that method it is %6 m."),
+              seen.after.position - seen.before.position,
+              timestep() * seen.before.velocity + first(seen.circle) * fall, true);
     }
 
     /// \param text  of the first wrong one, with what \p was seen and what was \p wanted

@@ -68,23 +68,24 @@ private:
         const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
         if (wanted.size() > 1)
             return FlightText::tr("The motion of %who is no known method");
-        const QString asked = shareName(wanted.front());
+        const QString asked = methodName(wanted.front());
         if (is(0.0) || is(0.5) || is(1.0))
-            return FlightText::tr("The motion of %who is %1, not %2").arg(shareName(share), asked);
+            return FlightText::tr("The motion of %who is %1, not %2").arg(methodName(share), asked);
         return FlightText::tr("The motion of %who is no known method; %1 is asked for").arg(asked);
-    }
-
-    static QString shareName(double share)
-    {
-        if (std::abs(share) < 1e-3)
-            return FlightText::tr("Euler");
-        if (std::abs(share - 1.0) < 1e-3)
-            return FlightText::tr("symplectic Euler");
-        return FlightText::tr("the exact parabola (Verlet, Runge-Kutta 4)");
     }
 };
 
 } // namespace
+
+QString methodName(double share)
+{
+    const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
+    if (is(0.0))
+        return FlightText::tr("Euler");
+    if (is(1.0))
+        return FlightText::tr("symplectic Euler");
+    return is(0.5) ? FlightText::tr("the exact parabola (Verlet, Runge-Kutta 4)") : QString();
+}
 
 std::optional<FlightSaid> methodSaid(const FlightComparison &comparison, bool isFallRight)
 {

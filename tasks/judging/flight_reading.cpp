@@ -32,6 +32,15 @@ int leaderOf(const QString *program, const Ground &ground, Vec2 gravity, double 
     return -1;
 }
 
+/// Whether circle \p i is nearer to where circle \p j was than to where itself was, one step later.
+bool startsFrom(const Steps &run, std::size_t j, std::size_t i)
+{
+    const auto way = [&](std::size_t k) {
+        return length(run.before[i].position - run.start[k].position);
+    };
+    return run.made && way(j) < way(i);
+}
+
 /// The circle whose velocity circle \p i has one step later, but for what it has from rest.
 int borrowedBy(const Steps &rest, const Steps &first, const Steps &second, std::size_t i)
 {
@@ -214,6 +223,10 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
                 keepsSpeed(flights[i], rest, isFurther ? run(Scene::Fast) : quick, i);
         if (!flights[i].isKnown || flights[i].way == Vec2{})
             flights[i].leader = leaderOf(program, ground, gravity, h, i, rest);
+        if (flights[i].leader >= 0)
+            flights[i].isFromLeader =
+                startsFrom(fly(program, flightPreset(ground, gravity, h, Scene::Apart, i)),
+                           static_cast<std::size_t>(flights[i].leader), i);
     }
     return flights;
 }

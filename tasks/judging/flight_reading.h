@@ -35,16 +35,17 @@ struct Flight {
     bool resets = false;  ///< the velocity after a step does not depend on that before
     bool resetsX = false; ///< the same of one part of the velocity alone
     bool resetsY = false;
-    double carried = 1.0;   ///< share of the old place that is in the new one; 1 is right
-    bool jumps = false;     ///< the place after a step does not depend on that before
-    int leader = -1;        ///< the circle whose velocity moves it, if it is not its own
-    int borrows = -1;       ///< the circle whose velocity it has after a step, and not its own
-    bool onlySlow = false;  ///< what resets does so of slow circles only
-    bool isTimeless = true; ///< the same start gives the same step at any time of a run
-    Vec2 lateWay{};         ///< of a step late in a run that starts as seen[0] did, m
-    Vec2 lateVelocity{};    ///< after the first of such steps, m/s
-    Vec2 firstWay{};        ///< of the first step of a run, m
-    Vec2 lateFirstWay{};    ///< and of the first of the late ones, m
+    double carried = 1.0;      ///< share of the old place that is in the new one; 1 is right
+    bool jumps = false;        ///< the place after a step does not depend on that before
+    int leader = -1;           ///< the circle whose velocity moves it, if it is not its own
+    bool isFromLeader = false; ///< it goes on from where that one is
+    int borrows = -1;          ///< the circle whose velocity it has after a step, and not its own
+    bool onlySlow = false;     ///< what resets does so of slow circles only
+    bool isTimeless = true;    ///< the same start gives the same step at any time of a run
+    Vec2 lateWay{};            ///< of a step late in a run that starts as seen[0] did, m
+    Vec2 lateVelocity{};       ///< after the first of such steps, m/s
+    Vec2 firstWay{};           ///< of the first step of a run, m
+    Vec2 lateFirstWay{};       ///< and of the first of the late ones, m
     /// Which flights show something: any, or only those that are fast, or slow.
     enum class Speed { Any, Fast, Slow };
     /// A flight whose first step changes its velocity otherwise than later ones do.
@@ -59,8 +60,9 @@ struct Flight {
     bool isWayLinear = true;  ///< no flight contradicts that its way is such a share
     bool isTurnLinear = true; ///< nor the change of its velocity
     Crossing crossing = Crossing::None;
-    std::array<Step, 2> seen{}; ///< of two flights that show it
-    Vec2 restedAt{};            ///< place from which the acceleration of one at rest was seen, m
+    std::array<Step, 2> seen{}; ///< of two flights
+    Step fromRest{};            ///< of one that started at rest
+    Vec2 restedAt{};            ///< where that was, m
     Vec2 startedWith{};         ///< velocity, for words about it, m/s
     Vec2 turnedInto{};          ///< what became of that in the first step, m/s
     Vec2 wayMade{};             ///< and how far it went in the second, m

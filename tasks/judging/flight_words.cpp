@@ -171,7 +171,10 @@ private:
     /// A change of the velocity that depends on it otherwise than by a share.
     [[nodiscard]] FlightSaid oddTurn() const
     {
-        const auto &[a, b] = flight(0).seen;
+        const Flight::Step &a = flight(0).seen[0];
+        // Two that do the same tell less than one of them beside rest.
+        const Flight::Step &b =
+            brief(a.turn) == brief(flight(0).seen[1].turn) ? flight(0).fromRest : flight(0).seen[1];
         const auto asked = [&](Vec2 velocity) {
             return right().after({.position = {}, .velocity = velocity}, timestep()).velocity
                    - velocity;

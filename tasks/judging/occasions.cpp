@@ -92,6 +92,10 @@ std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
     }
     if (by.is([](const Occasion &one) { return !one.hasMet; }))
         return Condition{Kind::BeforeMet};
+    if (by.is([](const Occasion &one) { return !one.hasHit; }))
+        return Condition{Kind::BeforeHit};
+    if (by.is([](const Occasion &one) { return one.hasHit; }))
+        return Condition{Kind::AfterHit};
     if (right < fewest || wrong < fewest)
         return Condition{};
     if (const auto pause = by.atLeast(Kind::Pause, [](const Occasion &one) { return one.pause; }))
@@ -140,6 +144,10 @@ QString phraseOf(const Condition &condition)
         return OccasionText::tr("when the last one is long past");
     case Kind::BeforeMet:
         return OccasionText::tr("until the circles have hit each other");
+    case Kind::BeforeHit:
+        return OccasionText::tr("until it has hit a wall");
+    case Kind::AfterHit:
+        return OccasionText::tr("after it has hit a wall");
     case Kind::Until:
         return between(OccasionText::tr("up to a time between %1 and %2 s"));
     case Kind::From:

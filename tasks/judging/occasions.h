@@ -23,6 +23,7 @@ struct Occasion {
     double speed = 0.0;                                     ///< with which it comes, m/s
     int setting = 0;                                        ///< where the other circles were
     bool hasMet = false; ///< the two circles have hit each other before
+    bool hasHit = false; ///< all circles have hit a wall before
     bool isRight = true;
 };
 
@@ -36,7 +37,9 @@ struct Condition {
         EvenOnes,
         Pause,     ///< the last one was long ago
         BeforeMet, ///< the circles have not met yet
-        Until,     ///< a time, s
+        BeforeHit, ///< nor hit a wall
+        AfterHit,
+        Until, ///< a time, s
         From,
         Above, ///< a place, m
         Below,

@@ -64,12 +64,13 @@ public:
         flight.isKnown = !flight.resets && !flight.resetsX && !flight.resetsY && !flight.jumps
                          && std::abs(flight.carried - 1.0) < 1e-6 && flight.pull == Vec2{}
                          && flight.isWayLinear && flight.isTurnLinear;
-        // Two that do the same tell less than one of them beside rest.
-        const bool isAlike = isClose(turn(m_first), turn(m_second)) && !flight.isTurnLinear;
-        flight.seen = {seen(m_first), seen(isAlike ? m_rest : m_second)};
+        flight.seen = {seen(m_first), seen(m_second)};
+        flight.fromRest = seen(m_rest);
         flight.crossing = crossing();
-        flight.isWayOfNew = isClose(way(m_first), m_h * m_first.after[m_i].velocity)
-                            && isClose(way(m_second), m_h * m_second.after[m_i].velocity);
+        const auto isOfNew = [&](const Steps &s) {
+            return isClose(way(s), m_h * s.after[m_i].velocity);
+        };
+        flight.isWayOfNew = isOfNew(m_rest) && isOfNew(m_first) && isOfNew(m_second);
         return flight;
     }
 

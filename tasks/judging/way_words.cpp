@@ -90,9 +90,42 @@ private:
         case Flight::Crossing::None:
             break;
         }
+        if (const auto fault = methodByVelocity())
+            return *fault;
         return tell(FlightText::tr("The way of %who in a step is not v Δt"),
                     FlightText::tr("Look at what the line that changes the position takes, and at "
-                                   "the conditions in front of it."));
+                                   "what is asked before it."));
+    }
+
+    /// Each of the steps seen is one of a method, and they are not of the same.
+    [[nodiscard]] std::optional<FlightSaid> methodByVelocity() const
+    {
+        const Flight &f = flight(0);
+        const Vec2 fall = timestep() * timestep() * right().acceleration;
+        if (lengthSquared(fall) == 0.0)
+            return std::nullopt;
+        const auto share = [&](const Flight::Step &step) {
+            return dot(step.way - timestep() * step.velocity, fall) / lengthSquared(fall);
+        };
+        const Flight::Step &a = f.seen[0];
+        const Flight::Step &b =
+            std::abs(share(a) - share(f.seen[1])) < 0.01 ? f.fromRest : f.seen[1];
+        const auto isOfMethod = [&](const Flight::Step &step) {
+            const Vec2 rest = step.way - timestep() * step.velocity - share(step) * fall;
+            return length(rest) < 1e-8
+                   && std::abs(2.0 * share(step) - std::round(2.0 * share(step))) < 1e-3
+                   && std::abs(share(step) - 0.5) < 0.6;
+        };
+        if (!isOfMethod(a) || !isOfMethod(b) || std::abs(share(a) - share(b)) < 0.01)
+            return std::nullopt;
+        return said(
+            FlightText::tr("The method that moves %who depends on the velocity"),
+            FlightText::tr("Besides v Δt it goes on by %1 g Δt² where its velocity is %2 "
+                           "m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to "
+                           "v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look "
+                           "at what is asked before the lines that move it.")
+                .arg(brief(share(a)), brief(a.velocity), brief(share(b)), brief(b.velocity)),
+            true);
     }
 
     /// \param moves  whether it goes anywhere

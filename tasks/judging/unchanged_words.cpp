@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/unchanged_words.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+struct UnchangedText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+constexpr double longEnough = 20.0; ///< s
+
+/// What was seen of one circle.
+struct Seen {
+    bool isSame = true; ///< its velocity
+    bool wasAtWall = false;
+    bool wasAtOther = false;
+
+    [[nodiscard]] bool isTold() const { return isSame && wasAtWall && wasAtOther; }
+};
+
+void look(const World &world, const Preset &scene, std::vector<Seen> &all)
+{
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Circle &c = world.circles[i];
+        all[i].isSame &= c.velocity == scene.circles[i].body.velocity;
+        const double reach = length(c.velocity) * scene.timestep;
+        all[i].wasAtWall |= std::max(std::abs(c.position.x), std::abs(c.position.y))
+                            > scene.halfWidth - c.radius - reach;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const Circle &other = world.circles[k];
+            all[i].wasAtOther |=
+                k != i && length(other.position - c.position) < c.radius + other.radius;
+        }
+    }
+}
+
+} // namespace
+
+std::optional<LawDeviation> unchangedVelocity(const QString *program, const Ground &ground)
+{
+    Probe probe(program, {ground.own, false});
+    if (!probe.runs() || probe.start().gravity != Vec2{} || probe.start().circles.size() < 2)
+        return std::nullopt;
+    const Preset &scene = probe.start();
+    std::vector<Seen> all(scene.circles.size());
+    while (probe.world().time < longEnough && probe.step())
+        look(probe.world(), scene, all);
+    const auto told =
+        std::find_if(all.begin(), all.end(), [](const Seen &s) { return s.isTold(); });
+    if (!probe.runs() || told == all.end())
+        return std::nullopt;
+    const auto circle = static_cast<int>(told - all.begin());
+    const Vec2 v = scene.circles[static_cast<std::size_t>(circle)].body.velocity;
+    if (v == Vec2{})
+        return std::nullopt;
+    return LawDeviation{
+        .aspect = Aspect::Walls,
+        .message = UnchangedText::tr("Nothing changes the velocity of circle %1\n\nIn your own "
+                                     "scene it has %2 m/s from the start to the end of %3 s, "
+                                     "though it comes to a wall and to another circle. Both must "
+                                     "give it a new velocity: look for where that is assigned.")
+                       .arg(circle + 1)
+                       .arg(brief(v), brief(longEnough)),
+        .moment = {.stage = {ground.own, false}, .circles = {circle}},
+        .suspect = Suspect::Omission};
+}
+
+} // namespace cradle

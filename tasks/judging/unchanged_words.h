@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/judging/ground.h"
+
+namespace cradle {
+
+/// A circle whose velocity nothing changes in the student's own scene, though it comes to a wall
+/// and to another circle there: one sentence for walls and hits. Its moment names the circle.
+[[nodiscard]] std::optional<LawDeviation> unchangedVelocity(const QString *program,
+                                                            const Ground &ground);
+
+} // namespace cradle
