@@ -253,7 +253,7 @@ void TestChecks::integratorsOfTwoCirclesAreCompared()
     };
     VERIFY_REFUSED(judge(same, flight(each(0.0, 1.0))), QStringLiteral("the same for both"));
     VERIFY_REFUSED(judge(same, flight(each(1.0, 0.5))), QStringLiteral("the same for both"));
-    VERIFY_REFUSED(judge(same, flight(each(0.3, 0.3))), QStringLiteral("none of the four"));
+    VERIFY_REFUSED(judge(same, flight(each(0.3, 0.3))), QStringLiteral("None of the four"));
 }
 
 void TestChecks::faultSaysWhatWasAndWhatShouldBe()

@@ -78,7 +78,7 @@ void addCollisions()
            drift(apart(), {{2, [](Circles &c) { c[1].velocity.y += 0.1; }}}, 1.0, {0, -1}),
            "At step 2 the velocity of circle 2 went from (0, -0.1) to (0, -0.1) m/s although it "
            "touched neither a wall nor the other circle, from whose rim it was still 1.4 m away; "
-           "gravity alone makes it (0, -0.2) m/s",
+           "(0, -0.2) m/s is right",
            2, 0.0, 1.4, "m");
     // The second is at its wall, and turned rightly.
     addRow("one turns too early while a wall turns the other", pair("collides"),
@@ -93,10 +93,19 @@ void addCollisions()
            "touched neither a wall nor the other circle, from whose rim it was still 1.3 m away",
            3, 0.0, 1.3, "m");
     addRow("both fall otherwise", pair("collides"), drift(apart(), falling(10)),
-           "At step 1 the velocity of circle 1 went from (1, 0) to (1, -0.2) m/s where gravity "
-           "alone makes it (1, 0) m/s. It changes in the same way at step 2, where it touches "
-           "nothing: look at its motion first. Hits are judged when that is right",
+           "At step 1, where it touches nothing, the velocity of circle 1 went from (1, 0) to (1, "
+           "-0.2) m/s; (1, 0) m/s is right. Hits are judged when its motion is right",
            1, 0.0, -0.2, "m/s");
+    // Twice as far in a step as its velocity takes it, it crosses the wall and is mirrored there.
+    std::vector<Change> twice;
+    for (int step = 1; step <= 10; ++step)
+        twice.push_back({step, [](Circles &c) { c[0].position.x += h * c[0].velocity.x; }});
+    twice.push_back({8, [](Circles &c) { c[0].velocity = {-1, 0}; }});
+    addRow("one moves twice", pair("collides"),
+           drift({{.position = {2.25, 0}, .velocity = {1, 0}}, {.position = {2.25, 2}}}, twice),
+           "At step 1, where it touches nothing, circle 1 moved by (0.2, 0) m; its velocity times "
+           "the timestep is (0.1, 0) m. Hits are judged when its motion is right",
+           1, 0.1, 0.2, "m");
     // Two steps of ten are no law of its motion.
     addRow("both fall twice", pair("collides"), drift(apart(), falling(2)),
            "At step 1 the velocity of circle 1 changed from (1, 0) to (1, -0.2) m/s although it "
@@ -106,10 +115,9 @@ void addCollisions()
            drift({{.position = {-0.15, 0}, .velocity = {-1, 0}},
                   {.position = {0.15, 0}, .velocity = {1, 0}}},
                  falling(10)),
-           "At step 1 the velocity of circle 1 went from (-1, 0) to (-1, -0.2) m/s where gravity "
-           "alone makes it (-1, 0) m/s. It changes in the same way at step 3, where it touches "
-           "nothing: look at its motion first. Hits are judged when that is right",
-           1, 0.0, -0.2, "m/s");
+           "At step 3, where it touches nothing, the velocity of circle 1 went from (-1, -0.4) to "
+           "(-1, -0.6) m/s; (-1, -0.4) m/s is right. Hits are judged when its motion is right",
+           3, -0.4, -0.6, "m/s");
     addRow("turned by a wall beside the other", pair("conserves"),
            drift({{.position = {3.4, 0}}, {.position = {3.75, 0}, .velocity = {1, 0}}},
                  leave({0, 0}, {-1, 0}, 1)),
@@ -133,20 +141,38 @@ void addCollisions()
            drift({{.position = {0, -0.19}, .velocity = {2, 0}},
                   {.position = {0, 0.19}, .velocity = {2, 0}}},
                  leave({2, -1}, {2, 1})),
-           "At step 2 circle 1 left the hit with (2, -1) m/s and circle 2 with (2, 1) m/s; along "
-           "the line of centres (0, 1) it should be (2, 0) and (2, 0) m/s",
+           "At step 2 circle 1 left the hit with (2, -1) m/s and circle 2 with (2, 1) m/s; where "
+           "their line of centres points along (0, 1), (2, 0) and (2, 0) m/s are right",
            2, 0.0, -1.0, "m/s");
     addRow("both go on with half", pair("collides"), drift(headOn(), leave({0.5, 0}, {0.5, 0})),
            "At step 2 circle 1 left the hit with (0.5, 0) m/s and circle 2 with (0.5, 0) m/s; "
-           "along the line of centres (1, 0) it should be (0, 0) and (1, 0) m/s",
+           "where their line of centres points along (1, 0), (0, 0) and (1, 0) m/s are right",
            2, 0.0, 0.5, "m/s");
     addRow("one goes aside", pair("collides"), drift(headOn(), leave({0, 0.3}, {1, 0})),
-           "At step 2 circle 1 left the hit with (0, 0.3) m/s and circle 2 with (1, 0) m/s; along "
-           "the line of centres (1, 0) it should be (0, 0) and (1, 0) m/s",
+           "At step 2 circle 1 left the hit with (0, 0.3) m/s and circle 2 with (1, 0) m/s; where "
+           "their line of centres points along (1, 0), (0, 0) and (1, 0) m/s are right",
+           2, 0.0, 0.3, "m/s");
+    addRow("the second goes too slowly", pair("collides"), drift(headOn(), leave({0, 0}, {0.4, 0})),
+           "At step 2 circle 1 left the hit with (0, 0) m/s and circle 2 with (0.4, 0) m/s; where "
+           "their line of centres points along (1, 0), (0, 0) and (1, 0) m/s are right",
+           2, 1.0, 0.4, "m/s");
+    // The floor may have a part in it.
+    addRow("aside at the floor", pair("collides"),
+           drift({{.position = {0, -3.79}, .velocity = {1, 0}}, {.position = {0.55, -3.79}}},
+                 leave({0, 0.3}, {1, 0})),
+           "At step 2 circle 1 left the hit with (0, 0.3) m/s and circle 2 with (1, 0) m/s; where "
+           "their line of centres points along (1, 0), (0, 0) and (1, 0) m/s are right. A wall is "
+           "reached in this step, too: judge it when the walls are right",
            2, 0.0, 0.3, "m/s");
     addRow("no answer", pair("collides"), drift(headOn(), {}),
            "At step 1 the circles have run into each other and go on as if nothing had happened; "
            "they should answer as soon as their distance is r₁ + r₂",
+           1);
+    // 0.45 m − 4 · 0.1 m.
+    addRow("answered late", pair("collides"), drift(headOn(), leave({0, 0}, {1, 0}, 5)),
+           "By step 1 the circles have run into each other, and they are answered only at step 5, "
+           "with their centres 0.05 m apart; they should answer as soon as their distance is r₁ + "
+           "r₂",
            1);
     addRow("no answer with e", pair("collides"), drift(headOn(), {}, 1.0, {}, 0.0),
            "At step 1, with e = 0, the circles have run into each other and go on as if nothing "
@@ -186,6 +212,17 @@ void TestContactFaults::faultIsSaidToTheLetter_data()
            "At step 2 the hit changed the total momentum from (1, 0) to (0.9, 0.4) kg m/s; it "
            "should stay",
            2, 0.0, 0.4, "kg m/s");
+    addRow("momentum lost far from each other", pair("conserves"),
+           drift({{.position = {-1, 0}, .velocity = {1, 0}, .density = kilogram},
+                  {.position = {1, 0}, .density = kilogram}},
+                 leave({0.5, 0}, {0, 0}, 3)),
+           "At step 3, where the circles do not touch, the total momentum changed from (1, 0) to "
+           "(0.5, 0) kg m/s; it should stay",
+           3, 1.0, 0.5, "kg m/s");
+    addRow("momentum lost in every step", pair("conserves"), drift(apart(), falling(10)),
+           "At step 1, where it touches nothing, the velocity of circle 1 went from (1, 0) to (1, "
+           "-0.2) m/s; (1, 0) m/s is right. Hits are judged when its motion is right",
+           1, 0.0, -0.2, "m/s");
     // ½ 1 kg (1 m/s)², then twice ½ 1 kg (½ m/s)².
     addRow("energy lost", pair("conserves", {{QStringLiteral("energy"), true}}),
            drift(headOn(), leave({0.5, 0}, {0.5, 0})),
@@ -205,6 +242,10 @@ void TestContactFaults::faultIsSaidToTheLetter_data()
            "At step 2 the kinetic energy was 0.5 J before the hit and 0.5 J after it; with e below "
            "1 it should be less",
            2, 0.5, 0.5, "J");
+    addRow("never meet as they should pass", pair("passes_through"), drift(apart(), {}, 0.2),
+           "In this scene the circles never met, so nothing shows whether they pass through each "
+           "other",
+           0);
     // Under 1 m/s² both have fallen for two steps before, and for three after it.
     addRow("kicked as they should pass", pair("passes_through"),
            drift(apart(), {{3, [](Circles &c) { c[1].velocity.x = 1.0; }}}, 1.0, {0, -1}),

@@ -150,7 +150,17 @@ void addFreeMotion()
            0, 0.1, 0.0, "s");
     addRow("no integrator", check("same_integrator", {0, 1}),
            drift(two, change(2, 1, [](Circle &c) { c.position.x += 0.01; }), 1.0, unitGravity),
-           "Circle 2 moves by none of the four integrators under gravity (0, -1) m/s²", 1);
+           "None of the four integrators makes all steps of circle 2 under gravity (0, -1) m/s²",
+           1);
+    const QJsonObject either{
+        {QStringLiteral("integrators"),
+         QJsonArray{QStringLiteral("euler"), QStringLiteral("symplectic_euler")}}};
+    const auto back = [](Circles &c) { c[1].position.y += h * h; }; // Euler falls by g h² less
+    addRow("two methods one after the other", check("integrates", {1}, either),
+           drift(two, {{1, back}, {2, back}, {3, back}}, 1.0, unitGravity),
+           "At step 4 circle 2 moves by symplectic Euler, and in steps before by another method; "
+           "one for all steps is right",
+           4);
     std::vector<Change> euler; // after a step of symplectic Euler, g h² back
     for (int step = 1; step <= 10; ++step)
         euler.push_back({step, [](Circles &c) { c[1].position.y += h * h; }});
@@ -166,7 +176,7 @@ void addWalls()
 {
     const CheckSpec bounces = check("bounces", {1});
     addRow("stuck", bounces, atWall({3.75, 0}, {1, 0}, {1, 0}),
-           "At step 3 circle 2 is still moving into the right wall with 1 m/s, since step 1; the "
+           "At step 3 circle 2 still has 1 m/s into the right wall, as it has since step 1; the "
            "wall should turn it round at once",
            1, -1.0, 1.0, "m/s");
     addRow("too slow", bounces, atWall({3.75, 0}, {1, 0}, {-0.5, 0}),
@@ -222,10 +232,24 @@ void addWalls()
     driven.push_back({4, [](Circles &c) { c[1].velocity.x = -1; }});
     addRow("driven in every step", bounces,
            drift(beside({.position = {3.5, 0}, .velocity = {1, 1}}), driven),
-           "At step 3 the velocity of circle 2 in y went from 1.4 to 1.6 m/s where gravity "
-           "alone makes it 1.4 m/s. It changes in the same way at step 1, where it touches "
-           "nothing: look at its motion first. Hits are judged when that is right",
-           3, 1.4, 1.6, "m/s");
+           "At step 1, where it touches nothing, the velocity of circle 2 went from (1, 1) to (1, "
+           "1.2) m/s; (1, 1) m/s is right. Hits are judged when its motion is right",
+           1, 1.0, 1.2, "m/s");
+    // It goes to the left, away from the wall that is nearer.
+    addRow("turned in the open, far from where it goes", bounces,
+           drift(beside({.position = {1, 0}, .velocity = {-1, 0}}),
+                 change(2, 1, [](Circle &c) { c.velocity.x = 1.0; })),
+           "At step 2 circle 2 turned round although its rim was still 4.7 m from the left wall; "
+           "it should touch first",
+           2, -1.0, 1.0, "m/s");
+    // At rest it is thrown: that way is its velocity's.
+    addRow("thrown from rest", bounces,
+           drift(beside({.position = {0, 1}}), change(2, 1,
+                                                      [](Circle &c) {
+                                                          c.velocity.x = 2.0;
+                                                          c.position.x = 0.2;
+                                                      })),
+           "Turns at walls in 1 s: 0; at least 1 must be seen to judge them", 10, 1.0, 0.0);
     addRow("braked along the wall under gravity", bounces,
            drift(beside({.position = {3.75, 0}, .velocity = {0, -1}}),
                  held({{0, -0.6}, {0, -0.7}, {0, -0.8}}, {3.75, 0}), 1.0, unitGravity),

@@ -825,16 +825,8 @@
         <translation>في الخطوة ⁨%1⁩ حافة الدائرة ⁨%2⁩ على بعد ⁦%3 m⁩ وراء ⁨%4⁩؛ الصواب مسافة خطوة واحدة على الأكثر، أي ⁦%5 m⁩</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
-        <translation>في الخطوة ⁨%1⁩ لا تزال الدائرة ⁨%2⁩ تتحرك داخل ⁨%3⁩ بسرعة ⁦%4 m/s⁩، منذ الخطوة ⁨%5⁩؛ يجب أن يردّها الجدار فورًا</translation>
-    </message>
-    <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
         <translation>خلال ⁦%1 s⁩ كان عدد المرات التي جاءت فيها الدائرة ⁨%2⁩ إلى جدار ⁨%3⁩؛ يجب أن يُرى ⁨%4⁩ على الأقل للحكم على بقائها في الداخل</translation>
-    </message>
-    <message>
-        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
-        <translation>في الخطوة ⁨%1⁩ غادرت الدائرة 1 التصادم بسرعة ⁦%2 m/s⁩ والدائرة 2 بسرعة ⁦%3 m/s⁩؛ وعلى خط المركزين ⁨%4⁩ يجب أن تكونا ⁨%5⁩ و⁦%6 m/s⁩</translation>
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
@@ -891,10 +883,6 @@
     <message>
         <source> or </source>
         <translation> أو </translation>
-    </message>
-    <message>
-        <source>Circle %1 moves by none of the four integrators under gravity %2 m/s²</source>
-        <translation>لا تتحرك الدائرة ⁨%1⁩ بأي من طرائق التكامل الأربع تحت الجاذبية ⁦%2 m/s²⁩</translation>
     </message>
     <message>
         <source>Circle %1 moves by %2 and circle %3 by %4; the same for both is right</source>
@@ -1053,10 +1041,6 @@
         <translation>في الخطوة ⁨%1⁩ كانت الدائرة ⁨%2⁩ تغادر ⁨%3⁩ بسرعة ⁦%4 m/s⁩ قبل الخطوة و⁦%5 m/s⁩ بعدها؛ وبالجاذبية وحدها تكون ⁦%6 m/s⁩</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
-        <translation>في الخطوة ⁨%1⁩ لا تزال الدائرة ⁨%2⁩ تتحرك داخل ⁨%3⁩ بسرعة ⁦%4 m/s⁩، منذ الخطوة ⁨%5⁩؛ ومع ⁦e = %6⁩ يجب أن يستجيب الجدار فورًا</translation>
-    </message>
-    <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
         <translation>في الخطوة ⁨%1⁩ كانت الدائرتان تتباعدان بالفعل بسرعة ⁦%2 m/s⁩، وتغيّرت سرعتاهما من ⁦%3⁩ و⁦%4⁩ إلى ⁦%5⁩ و⁦%6 m/s⁩؛ الدائرتان المتباعدتان يجب أن تُتركا وشأنهما</translation>
     </message>
@@ -1077,24 +1061,64 @@
         <translation>. في هذه الخطوة تفعل ذلك طريقة ⁨%1⁩</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%5 m/s⁩. وتتغيّر بالطريقة نفسها في الخطوة ⁨%6⁩ حيث لا تلامس شيئًا: انظر إلى حركتها أولًا. يُحكم على التصادمات حين تصح الحركة</translation>
-    </message>
-    <message>
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away</source>
         <translation>في الخطوة ⁨%1⁩ تغيّرت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أنها لم تلامس جدارًا ولا الدائرة الأخرى التي كانت حافتها لا تزال على بعد ⁦%5 m⁩</translation>
-    </message>
-    <message>
-        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; gravity alone makes it %6 m/s</source>
-        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أنها لم تلامس جدارًا ولا الدائرة الأخرى التي كانت حافتها لا تزال على بعد ⁦%5 m⁩؛ والجاذبية وحدها تجعلها ⁦%6 m/s⁩</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m, as by no integrator that this check allows; the nearest of them, %4, moves it by %5 m</source>
         <translation>في الخطوة ⁨%1⁩ تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩، ولا تفعل ذلك أي طريقة يقبلها هذا الفحص؛ وأقربها، ⁨%4⁩، تحركها بمقدار ⁦%5 m⁩</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ في ⁨%7⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما تجعلها الجاذبية وحدها ⁦%5 m/s⁩. وتتغيّر بالطريقة نفسها في الخطوة ⁨%6⁩ حيث لا تلامس شيئًا: انظر إلى حركتها أولًا. يُحكم على التصادمات حين تصح الحركة</translation>
+        <source>At step %1 circle %2 still has %4 m/s into the %3, as it has since step %5; the wall should turn it round at once</source>
+        <translation>في الخطوة ⁨%1⁩ لا تزال للدائرة ⁨%2⁩ سرعة ⁦%4 m/s⁩ نحو ⁨%3⁩ كما هي منذ الخطوة ⁨%5⁩؛ يجب أن يردّها الجدار فورًا</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 still has %4 m/s into the %3, as it has since step %5; with e = %6 the wall should answer at once</source>
+        <translation>في الخطوة ⁨%1⁩ لا تزال للدائرة ⁨%2⁩ سرعة ⁦%4 m/s⁩ نحو ⁨%3⁩ كما هي منذ الخطوة ⁨%5⁩؛ ومع ⁦e = %6⁩ يجب أن يستجيب الجدار فورًا</translation>
+    </message>
+    <message>
+        <source>In this scene the circles never met, so nothing shows whether they pass through each other</source>
+        <translation>في هذا المشهد لم تلتقِ الدائرتان قط، فلا شيء يبيّن هل تمر كل منهما عبر الأخرى</translation>
+    </message>
+    <message>
+        <source>At step %1, where the circles do not touch, the total momentum changed from %2 to %3 kg m/s; it should stay</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تتلامس الدائرتان تغيّرت كمية الحركة الكلية من ⁨%2⁩ إلى ⁦%3 kg m/s⁩؛ يجب أن تبقى</translation>
+    </message>
+    <message>
+        <source>At step %1, where the circles do not touch, the kinetic energy changed from %2 to %3 J; it should stay</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تتلامس الدائرتان تغيّرت الطاقة الحركية من ⁨%2⁩ إلى ⁦%3 J⁩؛ يجب أن تبقى</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; %6 m/s is right</source>
+        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أنها لم تلامس جدارًا ولا الدائرة الأخرى التي كانت حافتها لا تزال على بعد ⁦%5 m⁩؛ والصحيح ⁦%6 m/s⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; where their line of centres points along %4, %5 and %6 m/s are right</source>
+        <translation>في الخطوة ⁨%1⁩ غادرت الدائرة 1 التصادم بسرعة ⁦%2 m/s⁩ والدائرة 2 بسرعة ⁦%3 m/s⁩؛ وحيث يتجه خط المركزين على ⁨%4⁩ فالصحيح ⁨%5⁩ و⁦%6 m/s⁩</translation>
+    </message>
+    <message>
+        <source>By step %1 the circles have run into each other, and they are answered only at step %2, with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>بحلول الخطوة ⁨%1⁩ تداخلت الدائرتان ولم تستجيبا إلا في الخطوة ⁨%2⁩ والمسافة بين المركزين ⁦%3 m⁩؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
+    </message>
+    <message>
+        <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
+        <translation>%1. ويُبلغ جدار أيضًا في هذه الخطوة: احكم عليها حين تصح الجدران</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moves by %3, and in steps before by another method; one for all steps is right</source>
+        <translation>في الخطوة ⁨%1⁩ تتحرك الدائرة ⁨%2⁩ بطريقة ⁨%3⁩ وفي خطوات قبلها بطريقة أخرى؛ والصحيح طريقة واحدة لكل الخطوات</translation>
+    </message>
+    <message>
+        <source>None of the four integrators makes all steps of circle %1 under gravity %2 m/s²</source>
+        <translation>لا تعطي أي من طرائق التكامل الأربع كل خطوات الدائرة ⁨%1⁩ تحت الجاذبية ⁦%2 m/s²⁩</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged when its motion is right</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩. يُحكم على التصادمات حين تصح حركتها</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات حين تصح حركتها</translation>
     </message>
 </context>
 <context>

@@ -797,10 +797,6 @@
         <translation>In Schritt %1 liegt der Rand von Kreis %2 um %3 m hinter %4; richtig ist höchstens der Weg eines Schritts, %5 m</translation>
     </message>
     <message>
-        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
-        <translation>In Schritt %1 kam Kreis 1 mit %2 m/s aus dem Stoß und Kreis 2 mit %3 m/s; längs der Verbindungslinie der Mittelpunkte %4 sollen es %5 und %6 m/s sein</translation>
-    </message>
-    <message>
         <source>At step %1 the circles have run into each other and go on as if nothing had happened; they should answer as soon as their distance is r₁ + r₂</source>
         <translation>In Schritt %1 sind die Kreise ineinander gelaufen und bewegen sich weiter, als wäre nichts geschehen; sie sollen antworten, sobald ihr Abstand r₁ + r₂ ist</translation>
     </message>
@@ -835,10 +831,6 @@
     <message>
         <source> or </source>
         <translation> oder </translation>
-    </message>
-    <message>
-        <source>Circle %1 moves by none of the four integrators under gravity %2 m/s²</source>
-        <translation>Kreis %1 bewegt sich nach keinem der vier Integratoren unter der Schwerkraft %2 m/s²</translation>
     </message>
     <message>
         <source>Circle %1 moves by %2 and circle %3 by %4; the same for both is right</source>
@@ -923,10 +915,6 @@
     <message>
         <source>not judged: the program stopped with an error</source>
         <translation>nicht geprüft: Das Programm brach mit einem Fehler ab</translation>
-    </message>
-    <message>
-        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
-        <translation>In Schritt %1 bewegt sich Kreis %2 seit Schritt %5 immer noch mit %4 m/s zu %3 hin; die Wand soll ihn sofort umkehren</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m at once; with its velocity it comes %4 m far</source>
@@ -1045,10 +1033,6 @@
         <translation>In Schritt %1 bewegte sich Kreis %2 von %3 weg, mit %4 m/s vor dem Schritt und %5 m/s danach; mit der Schwerkraft allein sind es %6 m/s</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
-        <translation>In Schritt %1 bewegt sich Kreis %2 seit Schritt %5 immer noch mit %4 m/s zu %3 hin; mit e = %6 soll die Wand sofort antworten</translation>
-    </message>
-    <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
         <translation>In Schritt %1 entfernten sich die Kreise schon mit %2 m/s voneinander, und ihre Geschwindigkeiten änderten sich von %3 und %4 auf %5 und %6 m/s; Kreise, die sich entfernen, sollen in Ruhe gelassen werden</translation>
     </message>
@@ -1069,24 +1053,64 @@
         <translation>. In diesem Schritt macht es das Verfahren %1 so</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: Sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn sie stimmt</translation>
-    </message>
-    <message>
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away</source>
         <translation>In Schritt %1 änderte sich die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl er weder eine Wand noch den anderen Kreis berührte, von dessen Rand er noch %5 m entfernt war</translation>
-    </message>
-    <message>
-        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; gravity alone makes it %6 m/s</source>
-        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl er weder eine Wand noch den anderen Kreis berührte, von dessen Rand er noch %5 m entfernt war; die Schwerkraft allein macht %6 m/s daraus</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m, as by no integrator that this check allows; the nearest of them, %4, moves it by %5 m</source>
         <translation>In Schritt %1 bewegte sich Kreis %2 um %3 m, wie nach keinem der Verfahren, die diese Prüfung zulässt; nach dem nächsten davon, %4, sind es %5 m</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 in %7 von %3 auf %4 m/s, wo die Schwerkraft allein %5 m/s daraus macht. Ebenso ändert sie sich in Schritt %6, in dem er nichts berührt: Sieh dir zuerst seine Bewegung an. Stöße werden beurteilt, wenn sie stimmt</translation>
+        <source>At step %1 circle %2 still has %4 m/s into the %3, as it has since step %5; the wall should turn it round at once</source>
+        <translation>In Schritt %1 hat Kreis %2, wie seit Schritt %5, immer noch %4 m/s zu %3 hin; die Wand soll ihn sofort umkehren</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 still has %4 m/s into the %3, as it has since step %5; with e = %6 the wall should answer at once</source>
+        <translation>In Schritt %1 hat Kreis %2, wie seit Schritt %5, immer noch %4 m/s zu %3 hin; mit e = %6 soll die Wand sofort antworten</translation>
+    </message>
+    <message>
+        <source>In this scene the circles never met, so nothing shows whether they pass through each other</source>
+        <translation>In dieser Szene trafen sich die Kreise nie; so zeigt nichts, ob sie durcheinander hindurchgehen</translation>
+    </message>
+    <message>
+        <source>At step %1, where the circles do not touch, the total momentum changed from %2 to %3 kg m/s; it should stay</source>
+        <translation>In Schritt %1, in dem die Kreise sich nicht berühren, änderte sich der Gesamtimpuls von %2 auf %3 kg m/s; er soll bleiben</translation>
+    </message>
+    <message>
+        <source>At step %1, where the circles do not touch, the kinetic energy changed from %2 to %3 J; it should stay</source>
+        <translation>In Schritt %1, in dem die Kreise sich nicht berühren, änderte sich die kinetische Energie von %2 auf %3 J; sie soll bleiben</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; %6 m/s is right</source>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl er weder eine Wand noch den anderen Kreis berührte, von dessen Rand er noch %5 m entfernt war; richtig sind %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; where their line of centres points along %4, %5 and %6 m/s are right</source>
+        <translation>In Schritt %1 kam Kreis 1 mit %2 m/s aus dem Stoß und Kreis 2 mit %3 m/s; wo ihre Verbindungslinie der Mittelpunkte nach %4 zeigt, sind %5 und %6 m/s richtig</translation>
+    </message>
+    <message>
+        <source>By step %1 the circles have run into each other, and they are answered only at step %2, with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>Bis Schritt %1 sind die Kreise ineinander gelaufen, und erst in Schritt %2, bei %3 m Abstand der Mittelpunkte, wird darauf geantwortet; sie sollen antworten, sobald ihr Abstand r₁ + r₂ ist</translation>
+    </message>
+    <message>
+        <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
+        <translation>%1. In diesem Schritt wird auch eine Wand erreicht: Beurteile ihn, wenn die Wände stimmen</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moves by %3, and in steps before by another method; one for all steps is right</source>
+        <translation>In Schritt %1 bewegt sich Kreis %2 nach %3 und in Schritten davor nach einem anderen Verfahren; eines für alle Schritte ist richtig</translation>
+    </message>
+    <message>
+        <source>None of the four integrators makes all steps of circle %1 under gravity %2 m/s²</source>
+        <translation>Keiner der vier Integratoren macht alle Schritte von Kreis %1 unter der Schwerkraft %2 m/s²</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged when its motion is right</source>
+        <translation>In Schritt %1, in dem er nichts berührt, bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
+        <translation>In Schritt %1, in dem er nichts berührt, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
     </message>
 </context>
 <context>

@@ -817,16 +817,8 @@
         <translation>Au pas %1, le bord du cercle %2 dépasse %4 de %3 m&#xa0;; au plus le chemin d&apos;un pas, %5 m, est admis</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; the wall should turn it round at once</source>
-        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5&#xa0;; la paroi doit le renvoyer aussitôt</translation>
-    </message>
-    <message>
         <source>In %1 s circle %2 came to a wall %3 times; at least %4 must be seen to judge whether it stays inside</source>
         <translation>En %1 s, le cercle %2 est arrivé %3 fois à une paroi&#xa0;; il faut le voir au moins %4 fois pour juger s&apos;il reste à l&apos;intérieur</translation>
-    </message>
-    <message>
-        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; along the line of centres %4 it should be %5 and %6 m/s</source>
-        <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s&#xa0;; suivant la ligne des centres %4, il faudrait %5 et %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres and parted with %3 m/s; e times as much, with e = %4, is %5 m/s</source>
@@ -883,10 +875,6 @@
     <message>
         <source> or </source>
         <translation> ou </translation>
-    </message>
-    <message>
-        <source>Circle %1 moves by none of the four integrators under gravity %2 m/s²</source>
-        <translation>Le cercle %1 ne se déplace selon aucun des quatre intégrateurs sous la pesanteur %2 m/s²</translation>
     </message>
     <message>
         <source>Circle %1 moves by %2 and circle %3 by %4; the same for both is right</source>
@@ -1045,10 +1033,6 @@
         <translation>Au pas %1, le cercle %2 quittait %3, à %4 m/s avant le pas et à %5 m/s après&#xa0;; avec la seule pesanteur, c&apos;est %6 m/s</translation>
     </message>
     <message>
-        <source>At step %1 circle %2 is still moving into the %3 with %4 m/s, since step %5; with e = %6 the wall should answer at once</source>
-        <translation>Au pas %1, le cercle %2 s&apos;enfonce toujours dans %3 à %4 m/s, depuis le pas %5&#xa0;; avec e = %6, la paroi doit réagir aussitôt</translation>
-    </message>
-    <message>
         <source>At step %1 the circles were already moving apart with %2 m/s, and their velocities changed from %3 and %4 to %5 and %6 m/s; circles that move apart should be left alone</source>
         <translation>Au pas %1, les cercles s&apos;éloignaient déjà l&apos;un de l&apos;autre à %2 m/s, et leurs vitesses sont passées de %3 et %4 à %5 et %6 m/s&#xa0;; il ne faut plus toucher à des cercles qui s&apos;éloignent</translation>
     </message>
@@ -1069,24 +1053,64 @@
         <translation>. À ce pas, c&apos;est ce que fait %1</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors que la seule pesanteur en fait %5 m/s. Elle change de même au pas %6, où il ne touche rien&#xa0;: regardez d&apos;abord son mouvement. Les chocs seront jugés quand celui-ci sera juste</translation>
-    </message>
-    <message>
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away</source>
         <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors qu&apos;il ne touchait ni une paroi ni l&apos;autre cercle, dont le bord était encore à %5 m</translation>
-    </message>
-    <message>
-        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; gravity alone makes it %6 m/s</source>
-        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors qu&apos;il ne touchait ni une paroi ni l&apos;autre cercle, dont le bord était encore à %5 m&#xa0;; la seule pesanteur en fait %6 m/s</translation>
     </message>
     <message>
         <source>At step %1 circle %2 moved by %3 m, as by no integrator that this check allows; the nearest of them, %4, moves it by %5 m</source>
         <translation>Au pas %1, le cercle %2 s&apos;est déplacé de %3 m, ce que ne fait aucun des intégrateurs admis par cette vérification&#xa0;; le plus proche, %4, le déplace de %5 m</translation>
     </message>
     <message>
-        <source>At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s where gravity alone makes it %5 m/s. It changes in the same way at step %6, where it touches nothing: look at its motion first. Hits are judged when that is right</source>
-        <translation>Au pas %1, la vitesse du cercle %2 en %7 est passée de %3 à %4 m/s alors que la seule pesanteur en fait %5 m/s. Elle change de même au pas %6, où il ne touche rien&#xa0;: regardez d&apos;abord son mouvement. Les chocs seront jugés quand celui-ci sera juste</translation>
+        <source>At step %1 circle %2 still has %4 m/s into the %3, as it has since step %5; the wall should turn it round at once</source>
+        <translation>Au pas %1, le cercle %2 a toujours %4 m/s vers %3, comme depuis le pas %5&#xa0;; la paroi doit le renvoyer aussitôt</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 still has %4 m/s into the %3, as it has since step %5; with e = %6 the wall should answer at once</source>
+        <translation>Au pas %1, le cercle %2 a toujours %4 m/s vers %3, comme depuis le pas %5&#xa0;; avec e = %6, la paroi doit réagir aussitôt</translation>
+    </message>
+    <message>
+        <source>In this scene the circles never met, so nothing shows whether they pass through each other</source>
+        <translation>Dans cette scène, les cercles ne se sont jamais rencontrés&#xa0;; rien ne montre donc s&apos;ils se traversent</translation>
+    </message>
+    <message>
+        <source>At step %1, where the circles do not touch, the total momentum changed from %2 to %3 kg m/s; it should stay</source>
+        <translation>Au pas %1, où les cercles ne se touchent pas, la quantité de mouvement totale est passée de %2 à %3 kg m/s&#xa0;; elle doit se conserver</translation>
+    </message>
+    <message>
+        <source>At step %1, where the circles do not touch, the kinetic energy changed from %2 to %3 J; it should stay</source>
+        <translation>Au pas %1, où les cercles ne se touchent pas, l&apos;énergie cinétique est passée de %2 à %3 J&#xa0;; elle doit se conserver</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although it touched neither a wall nor the other circle, from whose rim it was still %5 m away; %6 m/s is right</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors qu&apos;il ne touchait ni une paroi ni l&apos;autre cercle, dont le bord était encore à %5 m&#xa0;; la valeur juste est %6 m/s</translation>
+    </message>
+    <message>
+        <source>At step %1 circle 1 left the hit with %2 m/s and circle 2 with %3 m/s; where their line of centres points along %4, %5 and %6 m/s are right</source>
+        <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s&#xa0;; là où leur ligne des centres pointe suivant %4, les valeurs justes sont %5 et %6 m/s</translation>
+    </message>
+    <message>
+        <source>By step %1 the circles have run into each other, and they are answered only at step %2, with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre, et ils ne réagissent qu&apos;au pas %2, leurs centres à %3 m l&apos;un de l&apos;autre&#xa0;; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
+        <translation>%1. Une paroi est aussi atteinte à ce pas&#xa0;: jugez-le quand les parois seront justes</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 moves by %3, and in steps before by another method; one for all steps is right</source>
+        <translation>Au pas %1, le cercle %2 se déplace selon %3, et aux pas précédents selon une autre méthode&#xa0;; une seule pour tous les pas est juste</translation>
+    </message>
+    <message>
+        <source>None of the four integrators makes all steps of circle %1 under gravity %2 m/s²</source>
+        <translation>Aucun des quatre intégrateurs ne donne tous les pas du cercle %1 sous la pesanteur %2 m/s²</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged when its motion is right</source>
+        <translation>Au pas %1, où il ne touche rien, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m. Les chocs seront jugés quand son mouvement sera juste</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
+        <translation>Au pas %1, où il ne touche rien, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés quand son mouvement sera juste</translation>
     </message>
 </context>
 <context>

@@ -108,11 +108,12 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity, double res
                 continue;
             const QString text =
                 restitution == 1.0
-                    ? WallHitText::tr("At step %1 circle %2 is still moving into the %3 with %4 "
-                                      "m/s, since step %5; the wall should turn it round at once")
-                    : WallHitText::tr("At step %1 circle %2 is still moving into the %3 with %4 "
-                                      "m/s, since step %5; with e = %6 the wall should "
-                                      "answer at once");
+                    ? WallHitText::tr(
+                        "At step %1 circle %2 still has %4 m/s into the %3, as it has "
+                        "since step %5; the wall should turn it round at once")
+                    : WallHitText::tr(
+                        "At step %1 circle %2 still has %4 m/s into the %3, as it has "
+                        "since step %5; with e = %6 the wall should answer at once");
             const QString said =
                 text.arg(QString::number(k + 1), QString::number(i + 1), motion::wallName(wall),
                          motion::figure(into), QString::number(k + 2 - patience));

@@ -31,8 +31,8 @@ std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
 std::optional<Fault> ofEveryStep(const ContactAnswer &answer)
 {
     const Vec2 gravity = answer.gravity();
-    const auto fault = motion::steadyFault(answer.o, answer.a, answer.contact.step, gravity);
-    return fault ? fault : motion::steadyFault(answer.o, answer.b, answer.contact.step, gravity);
+    const auto fault = motion::steadyFault(answer.o, answer.a, gravity);
+    return fault ? fault : motion::steadyFault(answer.o, answer.b, gravity);
 }
 
 /// A hit too early, or of circles that part already.
@@ -110,6 +110,33 @@ motion::Contact backwards(motion::Contact contact)
     return contact;
 }
 
+/// What is wrong if they had run into each other by \p missedStep: answered late, or never.
+Fault missedFault(const Observation &o, qint64 missedStep, double e,
+                  const std::vector<motion::Contact> &contacts)
+{
+    for (qint64 k = missedStep; k < o.steps(); ++k) {
+        const Circle &a = o.circle(0, k);
+        const Circle &b = o.circle(1, k);
+        const double centres = quickLength(b.position - a.position);
+        if (centres >= a.radius + b.radius)
+            break;
+        const bool isAnswered =
+            std::any_of(contacts.begin(), contacts.end(),
+                        [k](const motion::Contact &contact) { return contact.step == k; });
+        if (isAnswered)
+            return contact_faults::late(missedStep, k + 1, centres);
+    }
+    return contact_faults::missed(missedStep, e);
+}
+
+/// Whether a wall may push one of them in the step of the contact, too.
+bool isBesideWall(const ContactAnswer &answer, Vec2 gravity)
+{
+    const qint64 k = answer.contact.step;
+    return motion::isNearWall(answer.o, answer.a, k, gravity)
+           || motion::isNearWall(answer.o, answer.b, k, gravity);
+}
+
 using JudgeAnswer = std::function<std::optional<Fault>(const ContactAnswer &)>;
 
 /// Goes through the contacts of circles 1 and 2: each in time, each answered as \p judge wants it,
@@ -125,19 +152,27 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
         && !judge(ContactAnswer{o, 0, 1, backwards(contacts.front()), e, tolerance}))
         return std::nullopt;
     const qint64 missedStep = motion::missedContact(o, 0, 1);
+    std::optional<Fault> besideWall; // told where nothing in the open is wrong
     for (const motion::Contact &contact : contacts) {
         if (missedStep >= 0 && missedStep < contact.step)
-            return contact_faults::missed(missedStep, e);
+            break;
         const ContactAnswer answer{o, 0, 1, contact, e, tolerance};
-        if (auto fault = untimely(answer, gapAllowed + slackOf(o, gravity)))
+        auto fault = untimely(answer, gapAllowed + slackOf(o, gravity));
+        if (!fault)
+            fault = judge(answer);
+        if (!fault)
+            fault = leapIn(answer, gravity);
+        // One that turned before it touched anything has met no wall either.
+        const bool isEarly = contact.nearest > gapAllowed + slackOf(o, gravity);
+        if (fault && (isEarly || !isBesideWall(answer, gravity)))
             return fault;
-        if (auto fault = judge(answer))
-            return fault;
-        if (auto fault = leapIn(answer, gravity))
-            return fault;
+        if (fault && !besideWall)
+            besideWall = contact_faults::besideWall(*fault);
     }
     if (missedStep >= 0)
-        return contact_faults::missed(missedStep, e);
+        return missedFault(o, missedStep, e, contacts);
+    if (besideWall)
+        return besideWall;
     const int wanted = valueOf(check, QStringLiteral("contacts")).toInt();
     if (contacts.size() < static_cast<std::size_t>(wanted))
         return contact_faults::tooFew(contacts.size(), wanted);

@@ -49,6 +49,28 @@ Fault noContact()
             .step = 0};
 }
 
+/// That they never met in a scene in which they should pass through each other.
+Fault neverMet()
+{
+    return {.message = ConserveText::tr("In this scene the circles never met, so nothing shows "
+                                        "whether they pass through each other"),
+            .step = 0};
+}
+
+/// What is wrong with the motion of circle 1 or 2, of which a hit must not be blamed.
+std::optional<Fault> ofEveryStep(const Observation &o, Vec2 gravity)
+{
+    const auto fault = motion::steadyFault(o, 0, gravity);
+    return fault ? fault : motion::steadyFault(o, 1, gravity);
+}
+
+/// Whether they cannot have touched in the step of \p contact.
+bool isFarApart(const Observation &o, const motion::Contact &contact, Vec2 gravity)
+{
+    return contact.nearest > motion::travel(o, 0, contact.step, gravity)
+                                 + motion::travel(o, 1, contact.step, gravity);
+}
+
 std::vector<motion::Contact> contacts(const CheckSpec &check, const Observation &o)
 {
     return motion::contactsOf(o, 0, 1, motion::gravityOf(check, o));
@@ -74,16 +96,22 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
         return noContact();
     const double kept = motion::toleranceOf(check);
     const bool energy = valueOf(check, QStringLiteral("energy")).toBool();
+    const Vec2 gravity = motion::gravityOf(check, o);
     for (const motion::Contact &contact : contactsInTheOpen(check, o)) {
         const Balance b = balanceOf(o, contact);
         if (length(b.momentumAfter - b.momentumBefore) > kept * b.scale) {
             const bool x = std::abs(b.momentumAfter.x - b.momentumBefore.x)
                            > std::abs(b.momentumAfter.y - b.momentumBefore.y);
+            if (auto fault = ofEveryStep(o, gravity))
+                return fault;
+            const QString text =
+                isFarApart(o, contact, gravity)
+                    ? ConserveText::tr("At step %1, where the circles do not touch, the total "
+                                       "momentum changed from %2 to %3 kg m/s; it should stay")
+                    : ConserveText::tr("At step %1 the hit changed the total momentum from %2 to "
+                                       "%3 kg m/s; it should stay");
             return Fault{.message =
-                             ConserveText::tr("At step %1 the hit changed the total "
-                                              "momentum from %2 to %3 kg m/s; it should "
-                                              "stay")
-                                 .arg(QString::number(contact.step + 1),
+                             text.arg(QString::number(contact.step + 1),
                                       motion::figureBeside(b.momentumBefore, b.momentumAfter),
                                       motion::figureBeside(b.momentumAfter, b.momentumBefore)),
                          .expected = x ? b.momentumBefore.x : b.momentumBefore.y,
@@ -92,9 +120,15 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
                          .step = contact.step + 1};
         }
         if (energy && std::abs(b.energyAfter - b.energyBefore) > kept * b.energyBefore) {
-            return Fault{.message = ConserveText::tr("At step %1 the hit changed the kinetic "
-                                                     "energy from %2 to %3 J; it should stay")
-                                        .arg(QString::number(contact.step + 1),
+            if (auto fault = ofEveryStep(o, gravity))
+                return fault;
+            const QString text =
+                isFarApart(o, contact, gravity)
+                    ? ConserveText::tr("At step %1, where the circles do not touch, the kinetic "
+                                       "energy changed from %2 to %3 J; it should stay")
+                    : ConserveText::tr("At step %1 the hit changed the kinetic energy from %2 to "
+                                       "%3 J; it should stay");
+            return Fault{.message = text.arg(QString::number(contact.step + 1),
                                              motion::figureBeside(b.energyBefore, b.energyAfter),
                                              motion::figureBeside(b.energyAfter, b.energyBefore)),
                          .expected = b.energyBefore,
@@ -119,6 +153,8 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
         const Vec2 expected{v.at(0).toDouble(), v.at(1).toDouble()};
         if (v.isEmpty() || length(observed - expected) <= tolerance)
             continue;
+        if (auto fault = ofEveryStep(o, motion::gravityOf(check, o)))
+            return fault;
         const bool x = std::abs(observed.x - expected.x) > std::abs(observed.y - expected.y);
         return Fault{.message = ConserveText::tr("At step %1 circle %2 left the first hit with %3 "
                                                  "m/s; %4 m/s is right")
@@ -165,7 +201,7 @@ std::optional<Fault> passesThrough(const CheckSpec &check, const Observation &o)
         for (int i = 0; i < 2; ++i) {
             if (!motion::isKicked(o, i, k, gravity) || motion::isNearWall(o, i, k, gravity))
                 continue;
-            if (auto fault = motion::steadyFault(o, i, k, gravity))
+            if (auto fault = motion::steadyFault(o, i, gravity))
                 return fault;
             return Fault{.message = ConserveText::tr("At step %1 the velocity of circle %2 changed "
                                                      "from %3 to %4 m/s; the circles should pass "
@@ -178,9 +214,7 @@ std::optional<Fault> passesThrough(const CheckSpec &check, const Observation &o)
                          .step = k + 1};
         }
     }
-    if (met)
-        return std::nullopt;
-    return noContact();
+    return met ? std::nullopt : std::optional(neverMet());
 }
 
 } // namespace cradle::kinds

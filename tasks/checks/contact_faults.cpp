@@ -41,7 +41,7 @@ Fault tooEarly(const ContactAnswer &answer)
                               "rim it was still %5 m away")
             : ContactText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s "
                               "although it touched neither a wall nor the other circle, from whose "
-                              "rim it was still %5 m away; gravity alone makes it %6 m/s");
+                              "rim it was still %5 m away; %6 m/s is right");
     const QString said = text.arg(QString::number(k + 1), QString::number(who + 1),
                                   motion::figureBeside(before, after),
                                   motion::figureBeside(after, asked), motion::figure(gap));
@@ -72,18 +72,23 @@ Fault wrongAnswer(const ContactAnswer &answer, CircleLaw law)
     const motion::Contact &contact = answer.contact;
     const Vec2 n = answer.normal();
     const auto [afterA, afterB] = answer.expected(law, n);
-    const Vec2 error = contact.afterA - afterA;
+    const Vec2 errorA = contact.afterA - afterA;
+    const Vec2 errorB = contact.afterB - afterB;
+    const bool isA = quickLength(errorA) >= quickLength(errorB);
+    const Vec2 error = isA ? errorA : errorB;
+    const Vec2 right = isA ? afterA : afterB;
+    const Vec2 left = isA ? contact.afterA : contact.afterB;
     const bool x = std::abs(error.x) > std::abs(error.y);
     return {.message = ContactText::tr("At step %1 circle 1 left the hit with %2 m/s and circle 2 "
-                                       "with %3 m/s; along the line of centres %4 it should be %5 "
-                                       "and %6 m/s")
+                                       "with %3 m/s; where their line of centres points along %4, "
+                                       "%5 and %6 m/s are right")
                            .arg(QString::number(contact.step + 1),
                                 motion::figureBeside(contact.afterA, afterA),
                                 motion::figureBeside(contact.afterB, afterB), motion::figure(n),
                                 motion::figureBeside(afterA, contact.afterA),
                                 motion::figureBeside(afterB, contact.afterB)),
-            .expected = x ? afterA.x : afterA.y,
-            .observed = x ? contact.afterA.x : contact.afterA.y,
+            .expected = x ? right.x : right.y,
+            .observed = x ? left.x : left.y,
             .unit = QStringLiteral("m/s"),
             .step = contact.step + 1};
 }
@@ -117,6 +122,25 @@ Fault missed(qint64 step, double e)
                                    "soon as their distance is r₁ + r₂")
                        .arg(QString::number(step), motion::figure(e));
     return {.message = said, .step = step};
+}
+
+Fault late(qint64 step, qint64 answered, double centres)
+{
+    return {.message =
+                ContactText::tr("By step %1 the circles have run into each other, and they "
+                                "are answered only at step %2, with their centres %3 m "
+                                "apart; they should answer as soon as their distance is "
+                                "r₁ + r₂")
+                    .arg(QString::number(step), QString::number(answered), motion::figure(centres)),
+            .step = step};
+}
+
+Fault besideWall(Fault fault)
+{
+    fault.message = ContactText::tr("%1. A wall is reached in this step, too: judge it when the "
+                                    "walls are right")
+                        .arg(fault.message);
+    return fault;
 }
 
 Fault tooFew(std::size_t observed, int wanted)

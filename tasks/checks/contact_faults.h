@@ -19,6 +19,11 @@ namespace cradle::contact_faults {
 [[nodiscard]] Fault wrongRebound(const ContactAnswer &answer, double closing, double parting);
 /// By \p step they have run into each other, and nothing happened. \param e  of the scene
 [[nodiscard]] Fault missed(qint64 step, double e);
+/// By \p step they have run into each other; the answer came in the step that makes state
+/// \p answered, when they were \p centres (m) apart.
+[[nodiscard]] Fault late(qint64 step, qint64 answered, double centres);
+/// \p fault of a step in which a wall may push one of them, too.
+[[nodiscard]] Fault besideWall(Fault fault);
 [[nodiscard]] Fault tooFew(std::size_t observed, int wanted);
 
 } // namespace cradle::contact_faults

@@ -63,6 +63,14 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity,
         *std::min_element(wanted.begin(), wanted.end(), [&](Integrator a, Integrator b) {
             return quickLength(way(a) - observed) < quickLength(way(b) - observed);
         });
+    const std::vector<Integrator> instead = agreeingIntegrators(o, i, k, gravity);
+    if (std::find(instead.begin(), instead.end(), nearest) != instead.end())
+        return {.message =
+                    IntegratorText::tr("At step %1 circle %2 moves by %3, and in steps before "
+                                       "by another method; one for all steps is right")
+                        .arg(QString::number(k + 1), QString::number(i + 1), namesOf(instead)),
+                .step = k + 1,
+                .circle = i};
     const Vec2 right = way(nearest);
     const bool x = std::abs(observed.x - right.x) > std::abs(observed.y - right.y);
     QString message =
@@ -80,7 +88,6 @@ Fault wrongPlace(const Observation &o, int i, qint64 k, Vec2 gravity,
                 .arg(QString::number(k + 1), QString::number(i + 1),
                      motion::figureBeside(observed, right), motion::figureBeside(right, observed));
     }
-    const std::vector<Integrator> instead = agreeingIntegrators(o, i, k, gravity);
     if (!instead.empty())
         message += IntegratorText::tr(". In this step %1 does so").arg(namesOf(instead));
     return {.message = message,
@@ -133,8 +140,8 @@ std::optional<Fault> sameIntegrator(const CheckSpec &check, const Observation &o
             return fault;
         const std::vector<Integrator> own = matchingIntegrators(check, o, i, gravity);
         if (own.empty()) {
-            return Fault{.message = IntegratorText::tr("Circle %1 moves by none of the four "
-                                                       "integrators under gravity %2 m/s²")
+            return Fault{.message = IntegratorText::tr("None of the four integrators makes all "
+                                                       "steps of circle %1 under gravity %2 m/s²")
                                         .arg(QString::number(i + 1), motion::figure(gravity)),
                          .step = 1};
         }

@@ -20,33 +20,91 @@ struct MotionText {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
 
-/// Changes of velocity that differ by less than this share are one law's: drag, for one, changes
-/// with the speed.
-constexpr double alike = 0.1;
-
-/// A step in which circle \p i meets nothing and is changed as in the step after \p k, in a run in
-/// which it mostly is; see steadyFault().
-std::optional<qint64> sameInTheOpen(const Observation &o, int i, qint64 k, Vec2 gravity,
-                                    std::optional<Vec2> axis)
+bool isOpen(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
-    const auto change = [&](qint64 step) {
-        const Vec2 whole = kick(o, i, step, gravity);
-        return axis ? dot(whole, *axis) * *axis : whole;
-    };
-    const Vec2 wanted = change(k);
+    return !isNearWall(o, i, k, gravity) && !isNearCircle(o, i, k, gravity);
+}
+
+/// The first step in which circle \p i meets nothing and yet is changed besides gravity, where it
+/// is so in most of them.
+std::optional<qint64> changedInTheOpen(const Observation &o, int i, Vec2 gravity,
+                                       std::optional<Vec2> axis)
+{
     qint64 open = 0;
     qint64 changed = 0;
-    std::optional<qint64> like;
+    std::optional<qint64> first;
     for (qint64 step = 0; step < o.steps(); ++step) {
-        if (isNearWall(o, i, step, gravity) || isNearCircle(o, i, step, gravity))
+        if (!isOpen(o, i, step, gravity))
             continue;
         ++open;
-        const Vec2 now = change(step);
-        changed += isSame(now, {}) ? 0 : 1;
-        if (step != k && !like && quickLength(now - wanted) < alike * quickLength(wanted))
-            like = step;
+        const Vec2 whole = kick(o, i, step, gravity);
+        if (isSame(axis ? dot(whole, *axis) * *axis : whole, {}))
+            continue;
+        ++changed;
+        if (!first)
+            first = step;
     }
-    return 2 * changed > open ? like : std::nullopt;
+    return 2 * changed > open ? first : std::nullopt;
+}
+
+/// The first step in which circle \p i meets nothing and goes another way than any integrator takes
+/// it, v Δt and up to g Δt² more, where it is so in most of them.
+std::optional<qint64> strayInTheOpen(const Observation &o, int i, Vec2 gravity)
+{
+    const double dt = o.timestep();
+    qint64 open = 0;
+    qint64 stray = 0;
+    std::optional<qint64> first;
+    for (qint64 step = 0; step < o.steps(); ++step) {
+        if (!isOpen(o, i, step, gravity))
+            continue;
+        ++open;
+        const Circle &c = o.circle(i, step);
+        const Vec2 beside = o.circle(i, step + 1).position - c.position - dt * c.velocity;
+        if (quickLength(beside) <= quickLength(gravity) * dt * dt + samePosition)
+            continue;
+        ++stray;
+        if (!first)
+            first = step;
+    }
+    return 2 * stray > open ? first : std::nullopt;
+}
+
+Fault strayFault(const Observation &o, int i, qint64 k)
+{
+    const Circle &c = o.circle(i, k);
+    const Vec2 moved = o.circle(i, k + 1).position - c.position;
+    const Vec2 way = o.timestep() * c.velocity;
+    const bool x = std::abs(moved.x - way.x) > std::abs(moved.y - way.y);
+    return {.message = MotionText::tr("At step %1, where it touches nothing, circle %2 moved by %3 "
+                                      "m; its velocity times the timestep is %4 m. Hits are judged "
+                                      "when its motion is right")
+                           .arg(QString::number(k + 1), QString::number(i + 1),
+                                figureBeside(moved, way), figureBeside(way, moved)),
+            .expected = x ? way.x : way.y,
+            .observed = x ? moved.x : moved.y,
+            .unit = QStringLiteral("m"),
+            .step = k + 1,
+            .circle = i};
+}
+
+Fault changedFault(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Vec2 before = o.circle(i, k).velocity;
+    const Vec2 after = o.circle(i, k + 1).velocity;
+    const Vec2 right = before + o.timestep() * gravity;
+    const bool x = std::abs(after.x - right.x) > std::abs(after.y - right.y);
+    return {.message = MotionText::tr("At step %1, where it touches nothing, the velocity of "
+                                      "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
+                                      "judged when its motion is right")
+                           .arg(QString::number(k + 1), QString::number(i + 1),
+                                figureBeside(before, after), figureBeside(after, right),
+                                figureBeside(right, after)),
+            .expected = x ? right.x : right.y,
+            .observed = x ? after.x : after.y,
+            .unit = QStringLiteral("m/s"),
+            .step = k + 1,
+            .circle = i};
 }
 
 } // namespace
@@ -90,39 +148,13 @@ bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity, double tolera
            > tolerance * (1.0 + quickLength(o.circle(i, k).velocity));
 }
 
-std::optional<Fault> steadyFault(const Observation &o, int i, qint64 k, Vec2 gravity,
+std::optional<Fault> steadyFault(const Observation &o, int i, Vec2 gravity,
                                  std::optional<Vec2> axis)
 {
-    const auto like = sameInTheOpen(o, i, k, gravity, axis);
-    if (!like)
-        return std::nullopt;
-    const Vec2 before = o.circle(i, k).velocity;
-    const Vec2 after = o.circle(i, k + 1).velocity;
-    const Vec2 asked = before + o.timestep() * gravity;
-    const Vec2 error = after - asked;
-    const bool x = axis ? axis->x != 0.0 : std::abs(error.x) > std::abs(error.y);
-    const auto part = [&](Vec2 v, Vec2 other) {
-        const Vec2 along = x ? Vec2{1, 0} : Vec2{0, 1};
-        return axis ? figureBeside(dot(v, along), dot(other, along)) : figureBeside(v, other);
-    };
-    const QString text =
-        axis ? MotionText::tr("At step %1 the velocity of circle %2 in %7 went from %3 to %4 m/s "
-                              "where gravity alone makes it %5 m/s. It changes in the same way at "
-                              "step %6, where it touches nothing: look at its motion first. Hits "
-                              "are judged when that is right")
-             : MotionText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s where "
-                              "gravity alone makes it %5 m/s. It changes in the same way at step "
-                              "%6, where it touches nothing: look at its motion first. Hits are "
-                              "judged when that is right");
-    const QString said =
-        text.arg(QString::number(k + 1), QString::number(i + 1), part(before, after),
-                 part(after, asked), part(asked, after), QString::number(*like + 1));
-    return Fault{.message = axis ? said.arg(x ? QStringLiteral("x") : QStringLiteral("y")) : said,
-                 .expected = x ? asked.x : asked.y,
-                 .observed = x ? after.x : after.y,
-                 .unit = QStringLiteral("m/s"),
-                 .step = k + 1,
-                 .circle = i};
+    if (const auto changed = changedInTheOpen(o, i, gravity, axis))
+        return changedFault(o, i, *changed, gravity);
+    const auto stray = strayInTheOpen(o, i, gravity);
+    return stray ? std::optional(strayFault(o, i, *stray)) : std::nullopt;
 }
 
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)
@@ -139,13 +171,16 @@ double recentTravel(const Observation &o, int i, qint64 k, Vec2 gravity)
 std::optional<Fault> leap(const Observation &o, int i, qint64 k, double way)
 {
     const double moved = quickLength(o.circle(i, k + 1).position - o.circle(i, k).position);
-    if (moved <= longestLeap * way)
+    // It may go on with the velocity that the step gives it.
+    const double after = quickLength(o.circle(i, k + 1).velocity) * o.timestep();
+    if (moved <= std::max(longestLeap * way, after + samePosition))
         return std::nullopt;
+    const double own = way > 4.0 * samePosition ? way / 2.0 : 0.0; // of rest, rounding is no way
     return Fault{.message = MotionText::tr("At step %1 circle %2 moved by %3 m at once; with its "
                                            "velocity it comes %4 m far")
                                 .arg(QString::number(k + 1), QString::number(i + 1), figure(moved),
-                                     figure(way / 2.0)),
-                 .expected = way / 2.0,
+                                     figure(own)),
+                 .expected = own,
                  .observed = moved,
                  .unit = QStringLiteral("m"),
                  .step = k + 1,

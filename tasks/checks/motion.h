@@ -34,10 +34,11 @@ inline constexpr double samePosition = 1e-9;
 [[nodiscard]] bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity,
                             double tolerance = sameVelocity);
 
-/// What is wrong in the step after \p k if no hit did it: what changed circle \p i besides gravity
-/// does so in the open, too, and in most steps there. Checks of hits must not tell it as a hit's.
-/// \param axis  along which it was changed, a unit vector; without one, all of it counts
-[[nodiscard]] std::optional<Fault> steadyFault(const Observation &o, int i, qint64 k, Vec2 gravity,
+/// What is wrong with the motion of circle \p i where it meets nothing: in most steps in the open
+/// gravity is not all that changes it, or it goes another way than v Δt. Checks of hits must not
+/// tell that as a hit's.
+/// \param axis  along which it is changed, a unit vector; without one, all of it counts
+[[nodiscard]] std::optional<Fault> steadyFault(const Observation &o, int i, Vec2 gravity,
                                                std::optional<Vec2> axis = {});
 
 /// The furthest that circle \p i can come in the step after \p k, m.

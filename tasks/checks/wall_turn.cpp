@@ -60,20 +60,19 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         kept * after < 0.0 && std::abs(change) > restingSteps * quickLength(gravity) * o.timestep();
     if (!turned && !motion::isNearWall(o, circle, step, gravity))
         return std::nullopt;
-    const Wall nearest =
-        motion::wallGap(o, before, low) < motion::wallGap(o, before, high) ? low : high;
+    const Wall ahead = kept < 0.0 ? low : high;
     const bool hitsOther = std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
         return wall != low && wall != high && reaches(wall);
     });
-    if (auto steady = motion::steadyFault(o, circle, step, gravity, axis))
+    if (auto steady = motion::steadyFault(o, circle, gravity, axis))
         return steady;
     if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
         return alongWall(axis, change);
     return fault(BounceText::tr("At step %1 circle %2 turned round although its rim was still %3 m "
                                 "from the %4; it should touch first")
                      .arg(QString::number(step + 1), QString::number(circle + 1),
-                          motion::figure(motion::wallGap(o, before, nearest)),
-                          motion::wallName(nearest)),
+                          motion::figure(motion::wallGap(o, before, ahead)),
+                          motion::wallName(ahead)),
                  kept, after);
 }
 
@@ -106,13 +105,13 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     if (into >= -resting && into + std::max(pull, 0.0) <= resting
         && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
         return std::nullopt;
+    const auto steady = motion::steadyFault(o, circle, gravity, n);
     if (std::max(into, into + pull) <= slack)
-        return againAt(wall);
+        return steady ? steady : againAt(wall);
     const double first = -restitution * into + pull;
     const double last = -restitution * (into + pull);
     if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
         return std::nullopt;
-    const auto steady = motion::steadyFault(o, circle, step, gravity, n);
     return steady ? steady : wrongAt(wall, first, last);
 }
 
