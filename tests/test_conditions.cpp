@@ -154,21 +154,23 @@ void TestConditions::conditionIsNamed_data()
     };
     // Each number is that of the throw, hit or step that was the nearest to the limit.
     rows("walls above", {"L42T7", "L42T12", "L42T17"},
-         "The walls turn both circles round only above a height between y = ",
+         "Hits at the left wall, right wall and floor turn both circles round only above a height "
+         "between y = ",
          {.walls = "c.position.y > 0"});
     rows("walls once", {"L42T7", "L42T12", "L42T17"},
-         "The walls turn both circles round only the first time",
+         "Hits at the walls turn both circles round only the first time",
          {.start = "done = false", .walls = "not done", .turned = "done = true"});
     rows("walls with a pause", {"L42T12", "L42T17"},
-         "The walls turn both circles round only when the last one is long past",
+         "Hits at the walls turn both circles round only when the last one is long past",
          {.start = "last = -9", .walls = "time - last > 0.2", .turned = "last = time"});
     rows("walls until", {"L42T7", "L42T12", "L42T17"},
-         "The walls turn both circles round only up to a time between ", {.walls = "time < 3"});
+         "Hits at the walls turn both circles round only up to a time between ",
+         {.walls = "time < 3"});
     rows("e of the walls", {"L42T17"},
          "Hits of both circles at the walls come out right only up to a time between ",
          {.back = "(time < 3 and restitution or 1)"});
     rows("walls until they meet", {"L42T12", "L42T17"},
-         "The walls turn circle 2 round only until the circles have hit each other",
+         "Hits at the walls turn circle 2 round only until the circles have hit each other",
          {.start = "met = false", .walls = "not (met and c.index == 2)", .met = "met = true"});
     rows("fall above the floor", {"L42T3", "L42T7", "L42T17"}, "Gravity acts on ",
          {.move = "c.position.y > -3.5"});

@@ -186,10 +186,11 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
              "* n for _, c in ipairs({p, q}) do "
              "c.velocity = c.velocity - (1 - restitution) * c.velocity:dot(n) * n end end");
     });
-    row("L42T17", "elastic walls, clamped", "The walls give both circles all of the speed back",
+    row("L42T17", "elastic walls, clamped",
+        "Hits at the walls give both circles all of the speed back",
         [](OtherForm &f) { edit(f.walls, "local e = restitution", "local e = 1"); });
     row("L42T17", "elastic walls, Euler and mirrored",
-        "The walls give both circles all of the speed back", [](OtherForm &f) {
+        "Hits at the walls give both circles all of the speed back", [](OtherForm &f) {
             f.integrate = euler;
             f.walls = mirror;
         });
@@ -226,26 +227,26 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
         QTest::addRow("%s %s", step, name) << lab(step) << form << lab(headline);
     };
     row("L42T2", "through the wall to the other side",
-        "A hit at a wall puts circle 1 somewhere else", [](OtherForm &f) {
+        "Hits at the walls put circle 1 somewhere else", [](OtherForm &f) {
             f.walls = lab("local function wrapped(x) return math.abs(x) > 3.8 and -x or x end "
                           "c.position = vec(wrapped(c.position.x), wrapped(c.position.y))");
         });
-    row("L42T2", "turned by a right angle", "The walls change the part of circle 1 along the wall",
-        [](OtherForm &f) {
+    row("L42T2", "turned by a right angle",
+        "Hits at the walls change the part of circle 1 along the wall", [](OtherForm &f) {
             f.walls =
                 lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
                     "or math.abs(c.position.y) > room then "
                     "c.velocity = c.velocity:perpendicular() end");
         });
-    row("L42T2", "the left-hand wall holds it", "Not every wall holds circle 1: left wall, floor",
-        [](OtherForm &f) {
+    row("L42T2", "the left-hand wall holds it",
+        "Nothing turns circle 1 round at the left wall and floor", [](OtherForm &f) {
             f.walls =
                 lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
                     "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
                     "if math.abs(c.position.y) > room then "
                     "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
         });
-    row("L42T2", "no ceiling", "Not every wall holds circle 1: ceiling", [](OtherForm &f) {
+    row("L42T2", "no ceiling", "Nothing turns circle 1 round at the ceiling", [](OtherForm &f) {
         f.walls = clamp;
         edit(f.walls, "y > room", "false");
     });

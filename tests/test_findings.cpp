@@ -74,7 +74,7 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
             edit(f.walls, "half_width - c.radius", "half_width");
         });
     row("L42T12", "walls and answer",
-        {text("The walls turn both circles round too early"),
+        {text("Hits at the walls turn both circles round too early"),
          text("Of two equal circles the whole velocities change hands, not only the parts along "
               "the normal")},
         [](OtherForm &f) {
@@ -195,7 +195,8 @@ void TestFindings::mistakeOfOneAspectDoesNotExplainAnother()
     OtherForm form = otherForm(QStringLiteral("L42T12"));
     edit(form.walls, "half_width - c.radius", "half_width - c.radius + 0.03");
     const CheckReport report = told(QStringLiteral("L42T12"), form);
-    QCOMPARE(headlinesOf(report), QStringList(text("The walls turn both circles round too late")));
+    QCOMPARE(headlinesOf(report),
+             QStringList(text("Hits at the walls turn both circles round too late")));
 }
 
 void TestFindings::programThatStoppedHasNoWrongStart()

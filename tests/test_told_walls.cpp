@@ -87,8 +87,9 @@ void TestToldWalls::answerOfAWallIsTold()
     QFETCH(Law, alongLaw);
     const QString body = bodyOfWalls(
         wallsOf(wallWays[1], "c.radius", back.toUtf8().constData(), along.toUtf8().constData()));
-    const auto n = numbersIn(body, "With e = #: Circle # came to the * with (#, #) m/s and left it "
-                                   "with (#, #) m/s; (#, #) m/s is right.");
+    const auto n =
+        numbersIn(body, "Here e is #. Circle # came to the * with (#, #) m/s and left it "
+                        "with (#, #) m/s; (#, #) m/s is right.");
     QVERIFY2(n.size() == 8, qPrintable(body));
     const bool isSide = body.contains(QLatin1String("t wall with"));
     const auto parts = [&](std::size_t at) { // along the normal and the wall
@@ -116,18 +117,20 @@ void TestToldWalls::shareOfAWallIsTold()
         return bodyOfWalls(wallsOf(wallWays[1], "c.radius", back), text(headline));
     };
     auto n = numbersIn(body("0.3 + 0.5 * restitution",
-                            "The walls do not give both circles e times the speed back"),
+                            "Hits at the walls do not give both circles e times the speed back"),
                        "With e = # it is # times the speed, with e = # # times.");
     QCOMPARE(n.size(), std::size_t{4});
     QVERIFY(n[0] != n[2]);
     QVERIFY(isNear(n[1], 0.3 + 0.5 * n[0]) && isNear(n[3], 0.3 + 0.5 * n[2]));
-    QVERIFY(!body("0.9 * restitution", "The walls give both circles 0.9 e of the speed back, not e")
+    QVERIFY(!body("0.9 * restitution",
+                  "Hits at the walls give both circles 0.9 e of the speed back, not e")
                  .isEmpty());
     n = numbersIn(body("0.75", "At the walls a number stands for e, for both circles"),
                   "Whatever e is, # of the speed comes back.");
     QCOMPARE(n, std::vector<double>{0.75});
-    n = numbersIn(body("1.7 / math.abs(v)", "The walls give both circles a speed of their own"),
-                  "However fast it comes, it leaves the wall with # m/s");
+    n = numbersIn(
+        body("1.7 / math.abs(v)", "Hits at the walls give both circles a speed of their own"),
+        "However fast it comes, it leaves with # m/s");
     QCOMPARE(n, std::vector<double>{1.7});
 }
 
@@ -175,24 +178,27 @@ void TestToldWalls::lengthForTheRadiusIsTold()
 void TestToldWalls::openWallsAreTold()
 {
     const auto n =
-        numbersIn(bodyOfWalls({}, text("None of the four walls turns both circles round")),
-                  "Thrown at each of the four walls, # m/s fast, it goes on through them.");
-    QCOMPARE(n.size(), std::size_t{1});
-    QVERIFY(isNear(n[0], 2.9 * std::hypot(1.0, 0.37))); // beside the wall, too
+        numbersIn(bodyOfWalls({}, text("No wall turns both circles round")),
+                  "Thrown at each of them, both circles went on through it; at the * with (#, #) "
+                  "m/s.");
+    QCOMPARE(n.size(), std::size_t{2});
+    QVERIFY(isNear(std::hypot(n[0], n[1]), 2.9 * std::hypot(1.0, 0.37))); // beside the wall, too
     const QString left = QStringLiteral("if c.position.x > -3 then ") + wallsOf(wallWays[1])
                          + QStringLiteral(" end");
-    QVERIFY(!bodyOfWalls(left, text("Not every wall holds both circles: left wall")).isEmpty());
+    QVERIFY(
+        !bodyOfWalls(left, text("Nothing turns both circles round at the left wall")).isEmpty());
 }
 
 /// Whoever comes fast is slowed down, and all that come fast come equally fast.
 void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
 {
     const QString walls = wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 2 and 0.5 or 1)");
-    QVERIFY(
-        !bodyOfWalls(walls, text("The walls give both circles 0.5 times the speed back"), "L42T12")
-             .isEmpty());
+    QVERIFY(!bodyOfWalls(walls,
+                         text("Hits at the walls give both circles 0.5 times the speed back"),
+                         "L42T12")
+                 .isEmpty());
     QVERIFY(!bodyOfWalls(wallsOf(wallWays[1], "c.radius", "1.7 / math.abs(v)"),
-                         text("The walls give both circles a speed of their own"), "L42T12")
+                         text("Hits at the walls give both circles a speed of their own"), "L42T12")
                  .isEmpty());
 }
 
@@ -202,7 +208,7 @@ void TestToldWalls::slowHitsAreTold()
     QString walls = wallsOf(wallWays[1], "c.radius", "restitution");
     walls.replace(QLatin1String("s * v > 0"), QLatin1String("s * v > 0 and math.abs(v) > 0.7"));
     const QString body =
-        bodyOfWalls(walls, text("Slow hits at the walls do not turn both circles round"));
+        bodyOfWalls(walls, text("Slow hits at the right wall do not turn both circles round"));
     const auto n = numbersIn(body, "Circle # came to the * with # m/s and went on past it; with # "
                                    "m/s it is turned round.");
     QVERIFY2(n.size() == 3, qPrintable(body));
@@ -215,9 +221,10 @@ void TestToldWalls::slowAnswerIsTold()
 {
     const QString body = bodyOfWalls(
         wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 0.7 and restitution or 0.9)"),
-        text("Slow hits at the walls give both circles another share of the speed back"));
-    const auto n = numbersIn(body, "With e = # circle # came to the * with # m/s and left it with "
-                                   "# times that speed; # times is right.");
+        text("Slow hits at the right wall give both circles another share of the speed back"));
+    const auto n =
+        numbersIn(body, "Here e is #. Circle # came to the * with # m/s and left it with "
+                        "# times that speed; # times is right");
     QVERIFY2(n.size() == 5, qPrintable(body));
     QCOMPARE(n[1], 1.0);
     QVERIFY(n[2] > 0.0 && n[2] < 0.7);

@@ -77,12 +77,13 @@ void TestWallScenes::throwsReachTheWallBetweenTwoSteps()
     for (const WallHit &hit : seen.walls.hits) {
         const double far =
             hit.stage.preset.halfWidth - dot(thrown(hit).position, outwardNormal(hit.wall));
-        QVERIFY(far > 2.4 * hit.radius && far < 2.4 * hit.radius + 0.11);
+        const double large = std::max(hit.radius, hit.otherRadius);
+        QVERIFY(far > 2.4 * large && far < 2.4 * large + 0.11);
         QVERIFY(hit.turned && hit.step > 1);
         const double share = (hit.before - hit.radius) / hit.travel;
         QVERIFY2(0.03 < share && share < 0.97, QByteArray::number(share).constData());
         const Vec2 along = perpendicular(outwardNormal(hit.wall));
-        QVERIFY(std::abs(dot(thrown(hit).velocity, along) / speedOf(hit) - 0.37) < 1e-9);
+        QVERIFY(std::abs(std::abs(dot(thrown(hit).velocity, along)) / speedOf(hit) - 0.37) < 1e-9);
     }
 }
 
@@ -130,7 +131,7 @@ void TestWallScenes::othersAreInNobodysWay()
                 QVERIFY(std::abs(across + 0.6) < 1e-9);
                 const double along = dot(other.position, perpendicular(outwardNormal(hit.wall)));
                 QVERIFY(std::abs(along - 0.4 - 0.9 * static_cast<double>(i)) < 1e-9);
-                QVERIFY(other.velocity.x > 0.0 && other.velocity.y > 0.0
+                QVERIFY(other.velocity.x > 0.0 && other.velocity.y != 0.0
                         && other.velocity.x != other.velocity.y);
             }
             QVERIFY(!hit.disturbs);

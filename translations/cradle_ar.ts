@@ -2908,168 +2908,28 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>جاءت الدائرة ⁨%5⁩ إلى ⁨%1⁩ بسرعة ⁦%2 m/s⁩ وغادرته بسرعة ⁦%3 m/s⁩؛ الصواب ⁦%4 m/s⁩.</translation>
     </message>
     <message>
-        <source>A smooth wall pushes along its normal only.</source>
-        <translation>الجدار الأملس لا يدفع إلا على ناظمه.</translation>
-    </message>
-    <message>
-        <source>The walls hold %who and turn no velocity round</source>
-        <translation>الجدران تمسك %who ولا تعكس أي سرعة</translation>
-    </message>
-    <message>
-        <source>It is put back in every step and runs into the wall again.</source>
-        <translation>تُعاد إلى الوراء في كل خطوة ثم تدخل الجدار من جديد.</translation>
-    </message>
-    <message>
-        <source>The walls turn the wrong part of the velocity of %who</source>
-        <translation>الجدران تعكس المركّبة الخاطئة من سرعة %who</translation>
-    </message>
-    <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
         <translation>ناظم الجدارين الجانبيين على امتداد x، وناظم الأرضية والسقف على امتداد y.</translation>
-    </message>
-    <message>
-        <source>The walls turn the whole velocity of %who round</source>
-        <translation>الجدران تعكس سرعة %who كاملة</translation>
-    </message>
-    <message>
-        <source>At the walls e also shortens the part of %who along the wall</source>
-        <translation>عند الجدران يقصّر e أيضًا مركّبة %who الموازية للجدار</translation>
-    </message>
-    <message>
-        <source>At the walls e acts on the wrong part of the velocity of %who</source>
-        <translation>عند الجدران يؤثر e في المركّبة الخاطئة من سرعة %who</translation>
-    </message>
-    <message>
-        <source>The walls turn the part of %who along the wall round, too</source>
-        <translation>الجدران تعكس مركّبة %who الموازية للجدار أيضًا</translation>
-    </message>
-    <message>
-        <source>The walls take the part of %who along the wall away</source>
-        <translation>الجدران تأخذ مركّبة %who الموازية للجدار</translation>
-    </message>
-    <message>
-        <source>The walls change the part of %who along the wall</source>
-        <translation>الجدران تغيّر مركّبة %who الموازية للجدار</translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for e, for %who</source>
-        <translation>عند الجدران يقوم عدد مقام e، بالنسبة إلى %who</translation>
     </message>
     <message>
         <source>Whatever e is, %1 of the speed comes back.</source>
         <translation>مهما كان e تعود السرعة مضروبةً في ⁨%1⁩.</translation>
     </message>
     <message>
-        <source>The walls give %who %1 e of the speed back, not e</source>
-        <translation>الجدران تعيد إلى %who السرعة مضروبةً في ⁦%1 e⁩، لا في e</translation>
-    </message>
-    <message>
-        <source>Look at the factor in front of the part that you turn round.</source>
-        <translation>انظر إلى العامل أمام المركّبة التي تعكسها.</translation>
-    </message>
-    <message>
-        <source>The walls give %who a speed of their own</source>
-        <translation>الجدران تعطي %who سرعة من عندها</translation>
-    </message>
-    <message>
-        <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>مهما كانت سرعة المجيء فالمغادرة عن الجدار بسرعة ⁦%1 m/s⁩: احسب السرعة الجديدة من القديمة.</translation>
-    </message>
-    <message>
-        <source>The walls do not turn %who round</source>
-        <translation>الجدران لا تردّ %who</translation>
-    </message>
-    <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
         <translation>لا تزال السرعة تشير إلى داخل الجدار: انظر إلى الإشارة.</translation>
-    </message>
-    <message>
-        <source>The walls give %who between %1 and %2 times the speed back</source>
-        <translation>الجدران تعيد إلى %who السرعة مضروبةً في ما بين ⁨%1⁩ و⁨%2⁩</translation>
-    </message>
-    <message>
-        <source>Look at the factors in front of the part that you turn round.</source>
-        <translation>انظر إلى العوامل أمام المركّبة التي تعكسها.</translation>
-    </message>
-    <message>
-        <source>The walls give %who %1 times the speed back</source>
-        <translation>الجدران تعيد إلى %who السرعة مضروبةً في ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>Look at the sign: the velocity still points into the wall.</source>
-        <translation>انظر إلى الإشارة: لا تزال السرعة تشير إلى داخل الجدار.</translation>
-    </message>
-    <message>
-        <source>The walls give %who all of the speed back</source>
-        <translation>الجدران تعيد إلى %who كل السرعة</translation>
-    </message>
-    <message>
-        <source>e is not used at these walls.</source>
-        <translation>المعامل e لا يُستعمل عند هذه الجدران.</translation>
-    </message>
-    <message>
-        <source>At the walls e acts on %who twice</source>
-        <translation>عند الجدران يؤثر e في %who مرتين</translation>
     </message>
     <message>
         <source>Heights go with e², speeds with e.</source>
         <translation>الارتفاعات تتبع e²، ومقادير السرعات تتبع e.</translation>
     </message>
     <message>
-        <source>At the walls the root of e acts on %who</source>
-        <translation>عند الجدران يؤثر جذر e في %who</translation>
-    </message>
-    <message>
-        <source>The walls stop %who</source>
-        <translation>الجدران توقف %who</translation>
-    </message>
-    <message>
-        <source>Nothing brings it back.</source>
-        <translation>لا شيء يعيدها.</translation>
-    </message>
-    <message>
-        <source>At the walls 1 − e stands where e belongs, for %who</source>
-        <translation>عند الجدران يرد ⁦1 − e⁩ حيث مكان e، بالنسبة إلى %who</translation>
-    </message>
-    <message>
         <source>1 − e is what is lost; e is what is left.</source>
         <translation>⁦1 − e⁩ هو ما يُفقد؛ وe هو ما يبقى.</translation>
     </message>
     <message>
-        <source>The walls make %who faster: 1 + e stands where e belongs</source>
-        <translation>الجدران تسرّع %who: يرد ⁦1 + e⁩ حيث مكان e</translation>
-    </message>
-    <message>
         <source>1 + e is the whole change of the velocity, e what comes back.</source>
         <translation>⁦1 + e⁩ هو تغير السرعة كله، وe ما يعود منها.</translation>
-    </message>
-    <message>
-        <source>The walls slow %who and turn nothing round</source>
-        <translation>الجدران تبطئ %who ولا تعكس شيئًا</translation>
-    </message>
-    <message>
-        <source>At the walls the centre of %who is asked for, not the rim</source>
-        <translation>عند الجدران يُسأل عن مركز %who، لا عن الحافة</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too late</source>
-        <translation>الجدران تردّ %who متأخرة</translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for the radius of %who</source>
-        <translation>عند الجدران يقوم عدد مقام نصف قطر %who</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too early</source>
-        <translation>الجدران تردّ %who قبل الأوان</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round at the far side of the rim</source>
-        <translation>الجدران تردّ %who عند الطرف البعيد من الحافة</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round at the wrong place</source>
-        <translation>الجدران تردّ %who في الموضع الخاطئ</translation>
     </message>
     <message>
         <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
@@ -3084,69 +2944,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ يأتي الارتداد حين يكون مركزها بين ⁨%4⁩ و⁦%5 m⁩ وراء الجدار. يجب أن ترتد حين تكون حافتها هناك.</translation>
     </message>
     <message>
-        <source> (%1)</source>
-        <comment>walls</comment>
-        <translation> (%1)</translation>
-    </message>
-    <message>
-        <source>None of the four walls turns %who round</source>
-        <translation>لا يردّ أيٌّ من الجدران الأربعة %who</translation>
-    </message>
-    <message>
-        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
-        <translation>عند الرمي نحو كلٍّ من الجدران الأربعة بسرعة ⁦%1 m/s⁩ يستمر المسير عبرها. بعد كل حركة تحتاج كل دائرة إلى أسئلتها: هل تجاوزت حافتها جدارًا؟</translation>
-    </message>
-    <message>
-        <source>Not every wall holds %who: %1</source>
-        <translation>بعض الجدران لا يوقف %who: ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>عند الرمي نحوها يستمر المسير وراء الجدار. للمربع أربعة جدران: انظر إلى السؤال الذي يطرحه برنامجك عن كلٍّ منها.</translation>
-    </message>
-    <message>
-        <source>A hit at a wall puts %who somewhere else</source>
-        <translation>التصادم بجدار يضع %who في مكان آخر</translation>
-    </message>
-    <message>
-        <source>A hit puts %who further out (%1)</source>
-        <translation>التصادم يضع %who أبعد إلى الخارج (⁨%1⁩)</translation>
-    </message>
-    <message>
-        <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>كان مركزها سيصير على بعد ⁦%1 m⁩ من الجدار فوُضع على بعد ⁦%2 m⁩ منه؛ ونصف قطرها ⁦%3 m⁩. ضعها حيث تكون حافتها عند الجدار، أو أعدها إلى حيث جاءت.</translation>
-    </message>
-    <message>
-        <source>A hit of one circle at a wall also stops the other on its way</source>
-        <translation>تصادم دائرة بجدار يوقف الأخرى أيضًا في طريقها</translation>
-    </message>
-    <message>
-        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation>بينما وقع التصادم بين ⁨%1⁩ و⁨%2⁩، لم تمض الدائرة الأخرى، البعيدة عن كل جدار، حرّة. تُعاد كل دائرة وحدها: انظر مواضع أيّ دائرة يغيّرها جدارك.</translation>
-    </message>
-    <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
         <translation>في الركن لا تنعكس إلا مركّبة واحدة من سرعة %who</translation>
-    </message>
-    <message>
-        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
-        <translation>جاءت بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩. يُصدم الجداران في الخطوة نفسها، ويجب أن يمضي الثاني مما صنعه الأول، لا من السرعة السابقة.</translation>
-    </message>
-    <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
-        <translation>الأرضية لا تحمل الدائرة ⁨%1⁩
-
-بعد ⁦%2 s⁩ قرب الأرضية حافتها تحتها بمقدار ⁦%3 m⁩: إنها ترتد، لكن لا شيء يعيدها، وتشدها الجاذبية أعمق في كل خطوة. أعد الدائرة إلى حيث تلامس.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves the wall
-
-Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>تُردّ الدائرة ⁨%1⁩ مرة أخرى وهي تغادر الجدار
-
-كانت حافتها لا تزال في الخارج وهي تتحرك نحو الداخل بالفعل، فرُدّت إلى الجدار مرة أخرى: في سقوط منخفض أو بعد تصادم بطيء. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
     </message>
     <message>
         <source>A hit soon after another is not answered</source>
@@ -3183,10 +2982,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>Something away from every wall changes the velocity of %who</source>
         <translation>شيء ما بعيدًا عن كل جدار يغيّر سرعة %who</translation>
-    </message>
-    <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
-        <translation>عند ⁨%1⁩ وُضعت على بعد ⁦%2 m⁩ من مسارها، في ⁦%3 m⁩. كل دائرة تعود إلى موضعها *هي*: انظر أيّ موضع تأخذ.</translation>
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
@@ -3229,14 +3024,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>ترتد الدائرة ⁨%3⁩ حين يتجاوز مركزها الجدار بنصف قطر، ⁦%1 m⁩. من طرفي الدائرة يلامس القريبُ أولًا: انظر إلى الإشارة أمام نصف القطر.</translation>
     </message>
     <message>
-        <source>The %1 does not turn %who where it stands</source>
-        <translation>لا يأتي الارتداد حيث يقوم الجدار (⁨%1⁩: %who)</translation>
-    </message>
-    <message>
-        <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
-        <translation>عند الرمي نحوه ارتدت الدائرة ⁨%1⁩ في الخطوة الأولى من ⁨%2⁩ إلى ⁦%3 m/s⁩، والمركز لا يزال على بعد ⁦%4 m⁩ من الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى المكان الذي يأخذه برنامجك لهذا الجدار.</translation>
-    </message>
-    <message>
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>عند رمي الدائرة ⁨%6⁩ نحو ⁨%1⁩ تغيرت سرعتها من ⁨%2⁩ إلى ⁦%3 m/s⁩ في الخطوة الأولى، والمركز لا يزال على بعد ⁦%4 m⁩ من ذلك الجدار؛ ونصف القطر ⁦%5 m⁩. انظر إلى الشروط: أيّها صادق بعيدًا عن كل جدار؟</translation>
     </message>
@@ -3263,18 +3050,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
         <translation>في كل خطوة يُضاف ⁦v Δt⁩ إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
-    </message>
-    <message>
-        <source>The walls do not give %who e times the speed back</source>
-        <translation>لا تعيد الجدران إلى %who السرعة مضروبةً في e</translation>
-    </message>
-    <message>
-        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
-        <translation>مع ⁦e = %1⁩ تعود السرعة مضروبةً في ⁨%2⁩، ومع ⁦e = %3⁩ مضروبةً في ⁨%4⁩. انظر إلى العامل أمام المركّبة التي تعكسها.</translation>
-    </message>
-    <message>
-        <source>At the walls the radius of another circle stands for that of %who</source>
-        <translation>عند الجدران يحل نصف قطر دائرة أخرى محل نصف قطر %who</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
@@ -3381,20 +3156,8 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>ضعف نصف القطر الأصغر</translation>
     </message>
     <message>
-        <source>Slow hits at the walls do not turn %who round</source>
-        <translation>التصادمات البطيئة بالجدران لا تردّ %who</translation>
-    </message>
-    <message>
         <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
         <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ ومضت إلى الخارج؛ وبسرعة ⁦%4 m/s⁩ تُردّ. لا تهمّ سرعة مجيئها: المهم هل تجاوزت حافتها الجدار، وإلى أين تتحرك.</translation>
-    </message>
-    <message>
-        <source>Slow hits at the walls give %who another share of the speed back</source>
-        <translation>التصادمات البطيئة بالجدران تعيد إلى %who حصةً أخرى من السرعة</translation>
-    </message>
-    <message>
-        <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
-        <translation>مع ⁦e = %1⁩ جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ بسرعة ⁦%4 m/s⁩ وغادرت بهذه السرعة مضروبةً في ⁨%5⁩؛ الصواب ⁨%6⁩. العامل واحد لكل سرعة.</translation>
     </message>
     <message>
         <source>Hits come out right only where circle 2 is to the right of circle 1</source>
@@ -3467,10 +3230,6 @@ Its rim was still outside, it moved inward already, and it was turned into the w
     <message>
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
         <translation>مع ⁦e = %1⁩ افترقت دائرتان بسرعة لقائهما مضروبةً في ⁨%2⁩؛ وفي تصادمهما الثاني، بعد العودة من جدار، مضروبةً في ⁨%3⁩. انظر متى تعرف استجابتك قيمة e: ذلك يأتي متأخرًا.</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round a whole second too early</source>
-        <translation>الجدران تردّ %who قبل الأوان بثانية كاملة</translation>
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
@@ -3553,28 +3312,8 @@ Its rim was still outside, it moved inward already, and it was turned into the w
         <translation>لا يأتي تصادم الدائرتين صحيحًا إلا %1</translation>
     </message>
     <message>
-        <source>The walls turn %who round only %1</source>
-        <translation>الجدران لا تردّ %who إلا %1</translation>
-    </message>
-    <message>
-        <source>Hits of %who at the walls come out right only %1</source>
-        <translation>لا يأتي تصادم %who بالجدران صحيحًا إلا %1</translation>
-    </message>
-    <message>
         <source>Beside a wall the velocity of both circles changes at once</source>
         <translation>بجانب جدار تتغير سرعتا الدائرتين معًا</translation>
-    </message>
-    <message>
-        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. Look at which lines run for both, and at what they ask.</source>
-        <translation>حين كانت الدائرة ⁨%1⁩ على بُعد ⁦%2 m⁩ (⁨%3⁩) تغيرت سرعتها، وفي الخطوة نفسها سرعة الأخرى، بعيدًا عنها وعن كل جدار. انظر أي الأسطر تعمل لكلتيهما، وعمّا تسأل.</translation>
-    </message>
-    <message>
-        <source>A hit puts %who away from the wall (%1)</source>
-        <translation>التصادم يُبعد %who عن الجدار (⁨%1⁩)</translation>
-    </message>
-    <message>
-        <source>Its centre was %1 m from the wall before that step and was put %2 m from it; its radius is %3 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>كان مركزها قبل تلك الخطوة على بُعد ⁦%1 m⁩ من الجدار ووُضع على بُعد ⁦%2 m⁩ منه؛ نصف قطرها ⁦%3 m⁩، فتبقى فجوة. ضعها حيث تكون حافتها عند الجدار، أو أعدها من حيث أتت.</translation>
     </message>
     <message>
         <source>At %1 s of its run they met at %2 m, with %3 m/s, and ran into each other.</source>
@@ -3875,6 +3614,357 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
         <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ وبتلك الطريقة تكون ⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>with a velocity that points right</source>
+        <translation>بسرعة متجهة إلى اليمين</translation>
+    </message>
+    <message>
+        <source>with a velocity that points left</source>
+        <translation>بسرعة متجهة إلى اليسار</translation>
+    </message>
+    <message>
+        <source>with a velocity that points up</source>
+        <translation>بسرعة متجهة إلى أعلى</translation>
+    </message>
+    <message>
+        <source>with a velocity that points down</source>
+        <translation>بسرعة متجهة إلى أسفل</translation>
+    </message>
+    <message>
+        <source>up to a speed into the wall between %1 and %2 m/s</source>
+        <translation>حتى سرعة نحو الجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>from a speed into the wall between %1 and %2 m/s on</source>
+        <translation>ابتداءً من سرعة نحو الجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>up to a speed along the wall between %1 and %2 m/s</source>
+        <translation>حتى سرعة موازية للجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>from a speed along the wall between %1 and %2 m/s on</source>
+        <translation>ابتداءً من سرعة موازية للجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>Where nothing rubs, a push points along the normal only.</source>
+        <translation>حيث لا احتكاك لا تؤثر الدفعة إلا على امتداد العمودي.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls hold %who and turn no velocity round</source>
+        <translation>التصادمات عند %walls تمسك %who ولا تعكس أي سرعة</translation>
+    </message>
+    <message>
+        <source>It is put back in every step and runs into it again.</source>
+        <translation>تُعاد الدائرة في كل خطوة ثم تندفع إليه من جديد.</translation>
+    </message>
+    <message>
+        <source>It is put back, and its velocity stays as it was.</source>
+        <translation>تُعاد الدائرة وتبقى سرعتها كما كانت.</translation>
+    </message>
+    <message>
+        <source>At the %walls %who gets the velocity of the other circle</source>
+        <translation>عند %walls تأخذ %who سرعة الدائرة الأخرى</translation>
+    </message>
+    <message>
+        <source>The other circle had %1 m/s. Look at whose velocity the line takes.</source>
+        <translation>كانت سرعة الدائرة الأخرى ⁦%1 m/s⁩. انظر سرعة أيّ دائرة يأخذها السطر.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the wrong part of the velocity of %who</source>
+        <translation>التصادمات عند %walls تعكس المركّبة الخاطئة من سرعة %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the whole velocity of %who round</source>
+        <translation>التصادمات عند %walls تعكس سرعة %who كاملة</translation>
+    </message>
+    <message>
+        <source>At the %walls e also shortens the part of %who along the wall</source>
+        <translation>عند %walls يقصّر e أيضًا مركّبة %who الموازية للجدار</translation>
+    </message>
+    <message>
+        <source>At the %walls e acts on the wrong part of the velocity of %who</source>
+        <translation>عند %walls يؤثر e في المركّبة الخاطئة من سرعة %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the part of %who along the wall round, too</source>
+        <translation>التصادمات عند %walls تعكس مركّبة %who الموازية للجدار أيضًا</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take the part of %who along the wall away</source>
+        <translation>التصادمات عند %walls تأخذ مركّبة %who الموازية للجدار</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls change the part of %who along the wall</source>
+        <translation>التصادمات عند %walls تغيّر مركّبة %who الموازية للجدار</translation>
+    </message>
+    <message>
+        <source>At the %walls a number stands for e, for %who</source>
+        <translation>عند %walls يقوم عدد مقام e، بالنسبة إلى %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 e of the speed back, not e</source>
+        <translation>التصادمات عند %walls تعيد إلى %who السرعة مضروبةً في ⁦%1 e⁩، لا في e</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who a speed of their own</source>
+        <translation>التصادمات عند %walls تعطي %who سرعة من عندها</translation>
+    </message>
+    <message>
+        <source>However fast it comes, it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>مهما كانت سرعتها عند الوصول فإنها تغادر بسرعة ⁦%1 m/s⁩: احسب السرعة الجديدة من القديمة.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls do not turn %who round</source>
+        <translation>التصادمات عند %walls لا تردّ %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls do not give %who e times the speed back</source>
+        <translation>التصادمات عند %walls لا تعيد إلى %who السرعة مضروبةً في e</translation>
+    </message>
+    <message>
+        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
+        <translation>مع ⁦e = %1⁩ تعود السرعة مضروبةً في ⁨%2⁩، ومع ⁦e = %3⁩ مضروبةً في ⁨%4⁩.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who between %1 and %2 times the speed back</source>
+        <translation>التصادمات عند %walls تعيد إلى %who السرعة مضروبةً في ما بين ⁨%1⁩ و⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 times the speed back</source>
+        <translation>التصادمات عند %walls تعيد إلى %who السرعة مضروبةً في ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>Look at what the new velocity is worked out from.</source>
+        <translation>انظر ممّ تُحسب السرعة الجديدة.</translation>
+    </message>
+    <message>
+        <source>The least came at the %1 with %2 m/s into it, the most at the %3 with %4 m/s.</source>
+        <translation>أقلّها عاد عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩ نحوه، وأكثرها عند ⁨%3⁩ بسرعة ⁦%4 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who only e of the speed back</source>
+        <translation>التصادمات عند %walls لا تعيد إلى %who إلا السرعة مضروبةً في e</translation>
+    </message>
+    <message>
+        <source>In this step walls give all of it back, whatever e is: e belongs to the hits of the circles.</source>
+        <translation>في هذه الخطوة تعيد الجدران السرعة كلها مهما كان e: فمكان e تصادماتُ الدائرتين.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who all of the speed back</source>
+        <translation>التصادمات عند %walls تعيد إلى %who كل السرعة</translation>
+    </message>
+    <message>
+        <source>Whatever e is, nothing of it is lost.</source>
+        <translation>مهما كان e لا يضيع منها شيء.</translation>
+    </message>
+    <message>
+        <source>At the %walls e acts on %who twice</source>
+        <translation>عند %walls يؤثر e في %who مرتين</translation>
+    </message>
+    <message>
+        <source>At the %walls the root of e acts on %who</source>
+        <translation>عند %walls يؤثر جذر e في %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls stop %who</source>
+        <translation>التصادمات عند %walls توقف %who</translation>
+    </message>
+    <message>
+        <source>Of the part along the normal nothing comes back.</source>
+        <translation>لا يعود شيء من المركّبة الموازية للعمودي.</translation>
+    </message>
+    <message>
+        <source>At the %walls 1 − e stands where e belongs, for %who</source>
+        <translation>عند %walls يرد ⁦1 − e⁩ حيث مكان e، بالنسبة إلى %who</translation>
+    </message>
+    <message>
+        <source>At the %walls 1 + e stands where e belongs, for %who</source>
+        <translation>عند %walls يرد ⁦1 + e⁩ حيث مكان e، بالنسبة إلى %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls slow %who and turn nothing round</source>
+        <translation>التصادمات عند %walls تبطئ %who ولا تعكس شيئًا</translation>
+    </message>
+    <message>
+        <source>Here e is %1. </source>
+        <translation>هنا e يساوي ⁨%1⁩. </translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <comment>behind: at the</comment>
+        <translation>الجدران</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>walls</comment>
+        <extracomment>&quot;left wall, floor&quot; and &quot;ceiling&quot;</extracomment>
+        <translation>%1 و%2</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round only %1</source>
+        <translation>التصادمات عند %walls لا تردّ %who إلا %1</translation>
+    </message>
+    <message>
+        <source>Hits of %who at the %walls come out right only %1</source>
+        <translation>لا يأتي تصادم %who عند %walls صحيحًا إلا %1</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it at first.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ عند ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩ ومضت أولًا إلى ما بعده.</translation>
+    </message>
+    <message>
+        <source>That at %1 s of circle %2 came out right: at the %3 at %4 m with %5 m/s.</source>
+        <translation>وجاء صحيحًا تصادم الدائرة ⁨%2⁩ عند ⁦%1 s⁩: عند ⁨%3⁩ في ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>No wall turns %who round</source>
+        <translation>لا يردّ أيُّ جدار %who</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
+        <translation>قُذفت نحو كل جدار فنفذت منه %who؛ عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩. انظر ما الذي يُسأل بعد الحركة وهل يكون الجواب نعم أبدًا.</translation>
+    </message>
+    <message>
+        <source>Nothing turns %who round at the %walls</source>
+        <translation>لا شيء يردّ %who عند %walls</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
+        <translation>قُذفت الدائرة ⁨%3⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ فمضت إلى ما بعده. انظر ما الذي يسأله برنامجك عنه وهل يكون الجواب نعم أبدًا.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round only at times</source>
+        <translation>التصادمات عند %walls لا تردّ %who إلا أحيانًا</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
+        <translation>قُذفت الدائرة ⁨%4⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ من ⁦%3 m⁩ فمضت إلى ما بعده؛ وبسرعة ⁦%5 m/s⁩ من ⁦%6 m⁩ تُردّ. انظر ما الذي يسأله برنامجك فوق ذلك: يكفي أن تكون الحافة وراء الجدار وأن تتحرك الدائرة نحوه.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round too early</source>
+        <translation>التصادمات عند %walls تردّ %who قبل الأوان</translation>
+    </message>
+    <message>
+        <source>At the %walls the centre of %who is asked for, not the rim</source>
+        <translation>عند %walls يُسأل عن مركز %who، لا عن الحافة</translation>
+    </message>
+    <message>
+        <source>At the %walls the radius of another circle stands for that of %who</source>
+        <translation>عند %walls يحل نصف قطر دائرة أخرى محل نصف قطر %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the larger radius stands for that of %who</source>
+        <translation>عند %walls يحل نصف القطر الأكبر محل نصف قطر %who</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، وهي ترتدّ حين يكون مركزها على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد، وهو أكبر. لكل دائرة نصف قطرها.</translation>
+    </message>
+    <message>
+        <source>At the %walls the smaller radius stands for that of %who</source>
+        <translation>عند %walls يحل نصف القطر الأصغر محل نصف قطر %who</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، وهي ترتدّ حين يكون مركزها على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد، وهو أصغر. لكل دائرة نصف قطرها.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round too late</source>
+        <translation>التصادمات عند %walls تردّ %who متأخرة</translation>
+    </message>
+    <message>
+        <source>At the %walls a number stands for the radius of %who</source>
+        <translation>عند %walls يقوم عدد مقام نصف قطر %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round at the far side of the rim</source>
+        <translation>التصادمات عند %walls تردّ %who عند الطرف البعيد من الحافة</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round a whole second too early</source>
+        <translation>التصادمات عند %walls تردّ %who قبل الأوان بثانية كاملة</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round at the wrong place</source>
+        <translation>التصادمات عند %walls تردّ %who في الموضع الخاطئ</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls do not turn %who round</source>
+        <translation>التصادمات البطيئة عند %walls لا تردّ %who</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls give %who another share of the speed back</source>
+        <translation>التصادمات البطيئة عند %walls تعيد إلى %who حصةً أخرى من السرعة</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 times that speed; %5 times is right, however slow it is.</source>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وغادرته بهذه السرعة مضروبةً في ⁨%4⁩؛ والصحيح في ⁨%5⁩ مهما كانت بطيئة.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who somewhere else</source>
+        <translation>التصادمات عند %walls تضع %who في مكان آخر</translation>
+    </message>
+    <message>
+        <source>At the %1 circle %4 was put %2 m away from its own path, at %3 m.</source>
+        <translation>عند ⁨%1⁩ وُضعت الدائرة ⁨%4⁩ على بعد ⁦%2 m⁩ من مسارها، في ⁦%3 m⁩.</translation>
+    </message>
+    <message>
+        <source>There the other circle was: each circle goes back to its *own* place.</source>
+        <translation>هناك كانت الدائرة الأخرى: كل دائرة تعود إلى موضعها *هي*.</translation>
+    </message>
+    <message>
+        <source>It belongs where its rim is at the wall, or back where it was before that step.</source>
+        <translation>مكانها حيث تكون حافتها عند الجدار، أو حيث كانت قبل تلك الخطوة.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who further out</source>
+        <translation>التصادمات عند %walls تضع %who أبعد إلى الخارج</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %5 would have come to %2 m from the wall and was put %3 m from it; its radius is %4 m. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>عند ⁨%1⁩ كان مركز الدائرة ⁨%5⁩ سيبلغ ⁦%2 m⁩ من الجدار فوُضع على بعد ⁦%3 m⁩ منه؛ ونصف قطرها ⁦%4 m⁩. ضعها حيث تكون حافتها عند الجدار، أو أعدها من حيث جاءت.</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. A wall turns the circle that touches it, and no other.</source>
+        <translation>حين كانت الدائرة ⁨%1⁩ على بعد ⁦%2 m⁩ من ⁨%3⁩ تغيّرت سرعتها، وفي الخطوة نفسها سرعة الأخرى البعيدة عنها وعن كل جدار. الجدار يردّ الدائرة التي تلمسه ولا يردّ غيرها.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who too far in</source>
+        <translation>التصادمات عند %walls تضع %who أبعد إلى الداخل مما ينبغي</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %5 was %2 m from the wall before that step and was put %3 m from it; its radius is %4 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>عند ⁨%1⁩ كان مركز الدائرة ⁨%5⁩ على بعد ⁦%2 m⁩ من الجدار قبل تلك الخطوة فوُضع على بعد ⁦%3 m⁩ منه؛ ونصف قطرها ⁦%4 m⁩، فبقيت فجوة. ضعها حيث تكون حافتها عند الجدار، أو أعدها من حيث جاءت.</translation>
+    </message>
+    <message>
+        <source>A hit of one circle at a wall also changes the way of the other</source>
+        <translation>تصادم إحدى الدائرتين بجدار يغيّر طريق الأخرى أيضًا</translation>
+    </message>
+    <message>
+        <source>In the step in which circle %1 was answered by the %2, the other circle, far from every wall, did not go on freely: its place is %3 m and its velocity %4 m/s off. A wall acts on the circle that touches it, and on no other.</source>
+        <translation>في الخطوة التي وقع فيها تصادم الدائرة ⁨%1⁩ مع ⁨%2⁩ لم تمض الدائرة الأخرى، البعيدة عن كل جدار، حرّة: موضعها بعيد بمقدار ⁦%3 m⁩ وسرعتها بمقدار ⁦%4 m/s⁩ عمّا ينبغي. الجدار يؤثر في الدائرة التي تلمسه ولا يؤثر في غيرها.</translation>
+    </message>
+    <message>
+        <source>Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
+        <translation>جاءت الدائرة ⁨%3⁩ بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩. يُصاب الجداران في الخطوة نفسها، وعلى كل منهما أن يعكس مركّبته، أيًّا كان الأول.</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor turns it, and yet gravity pulls it on. Put the circle back where it touches.</source>
+        <translation>الأرضية لا تحمل الدائرة ⁨%1⁩
+
+بعد ⁦%2 s⁩ قرب الأرضية صارت حافتها تحتها بمقدار ⁦%3 m⁩، وأعمق مما كانت: الأرضية تردّها ومع ذلك تجذبها الجاذبية. أعد الدائرة إلى حيث تلمس.</translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves a wall
+
+It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>تُردّ الدائرة ⁨%1⁩ مرة أخرى وهي تغادر جدارًا
+
+كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
     </message>
 </context>
 <context>

@@ -2712,180 +2712,32 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Gleiche Kreise antworten richtig, ungleiche nicht</translation>
     </message>
     <message>
-        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
-        <translation>Auf jede der vier Wände geworfen, %1 m/s schnell, geht der Kreis durch sie hindurch. Nach jeder Bewegung braucht jeder Kreis seine Fragen: Ist sein Rand hinter einer Wand?</translation>
-    </message>
-    <message>
-        <source>At the walls the centre of %who is asked for, not the rim</source>
-        <translation>An den Wänden wird für %who nach dem Mittelpunkt gefragt, nicht nach dem Rand</translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for the radius of %who</source>
-        <translation>An den Wänden steht für %who eine Zahl statt des Radius</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too early</source>
-        <translation>Die Wände lassen %who zu früh umkehren</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round at the far side of the rim</source>
-        <translation>Die Wände lassen %who erst am hinteren Rand umkehren</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too late</source>
-        <translation>Die Wände lassen %who zu spät umkehren</translation>
-    </message>
-    <message>
-        <source>A smooth wall pushes along its normal only.</source>
-        <translation>Eine glatte Wand drückt nur längs ihrer Normalen.</translation>
-    </message>
-    <message>
-        <source>The walls hold %who and turn no velocity round</source>
-        <translation>Die Wände halten %who auf und kehren keine Geschwindigkeit um</translation>
-    </message>
-    <message>
-        <source>It is put back in every step and runs into the wall again.</source>
-        <translation>Der Kreis wird in jedem Schritt zurückgesetzt und läuft wieder in die Wand.</translation>
-    </message>
-    <message>
-        <source>The walls turn the wrong part of the velocity of %who</source>
-        <translation>Die Wände kehren für %who den falschen Anteil der Geschwindigkeit um</translation>
-    </message>
-    <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
         <translation>Die Normale der Seitenwände zeigt längs x, die von Boden und Decke längs y.</translation>
-    </message>
-    <message>
-        <source>The walls turn the whole velocity of %who round</source>
-        <translation>Die Wände kehren für %who die ganze Geschwindigkeit um</translation>
-    </message>
-    <message>
-        <source>At the walls e also shortens the part of %who along the wall</source>
-        <translation>An den Wänden verkürzt e für %who auch den Anteil längs der Wand</translation>
-    </message>
-    <message>
-        <source>At the walls e acts on the wrong part of the velocity of %who</source>
-        <translation>An den Wänden wirkt e für %who auf den falschen Anteil der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>The walls turn the part of %who along the wall round, too</source>
-        <translation>Die Wände kehren für %who auch den Anteil längs der Wand um</translation>
-    </message>
-    <message>
-        <source>The walls take the part of %who along the wall away</source>
-        <translation>Die Wände nehmen für %who den Anteil längs der Wand weg</translation>
-    </message>
-    <message>
-        <source>The walls change the part of %who along the wall</source>
-        <translation>Die Wände ändern für %who den Anteil längs der Wand</translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for e, for %who</source>
-        <translation>An den Wänden steht für %who eine Zahl statt e</translation>
     </message>
     <message>
         <source>Whatever e is, %1 of the speed comes back.</source>
         <translation>Wie groß e auch ist, zurück kommt das %1-Fache des Tempos.</translation>
     </message>
     <message>
-        <source>The walls give %who a speed of their own</source>
-        <translation>Die Wände geben für %who ein eigenes Tempo vor</translation>
-    </message>
-    <message>
-        <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>Wie schnell der Kreis auch kommt, er verlässt die Wand mit %1 m/s: Rechne die neue Geschwindigkeit aus der alten aus.</translation>
-    </message>
-    <message>
-        <source>The walls do not turn %who round</source>
-        <translation>Die Wände lassen %who nicht umkehren</translation>
-    </message>
-    <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
         <translation>Die Geschwindigkeit zeigt immer noch in die Wand: Sieh dir das Vorzeichen an.</translation>
-    </message>
-    <message>
-        <source>Look at the factor in front of the part that you turn round.</source>
-        <translation>Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
-    </message>
-    <message>
-        <source>Look at the sign: the velocity still points into the wall.</source>
-        <translation>Sieh dir das Vorzeichen an: Die Geschwindigkeit zeigt immer noch in die Wand.</translation>
-    </message>
-    <message>
-        <source>The walls give %who all of the speed back</source>
-        <translation>Von den Wänden kommt für %who das ganze Tempo zurück</translation>
-    </message>
-    <message>
-        <source>e is not used at these walls.</source>
-        <translation>e wird an diesen Wänden nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>At the walls e acts on %who twice</source>
-        <translation>An den Wänden wirkt e zweimal auf %who</translation>
     </message>
     <message>
         <source>Heights go with e², speeds with e.</source>
         <translation>Höhen gehen mit e², Geschwindigkeiten mit e.</translation>
     </message>
     <message>
-        <source>At the walls the root of e acts on %who</source>
-        <translation>An den Wänden wirkt die Wurzel aus e auf %who</translation>
-    </message>
-    <message>
-        <source>The walls stop %who</source>
-        <translation>Die Wände halten %who an</translation>
-    </message>
-    <message>
-        <source>Nothing brings it back.</source>
-        <translation>Nichts bringt den Kreis zurück.</translation>
-    </message>
-    <message>
-        <source>At the walls 1 − e stands where e belongs, for %who</source>
-        <translation>An den Wänden steht für %who 1 − e, wo e hingehört</translation>
-    </message>
-    <message>
         <source>1 − e is what is lost; e is what is left.</source>
         <translation>1 − e ist, was verloren geht; e ist, was bleibt.</translation>
-    </message>
-    <message>
-        <source>The walls make %who faster: 1 + e stands where e belongs</source>
-        <translation>Die Wände beschleunigen %who: 1 + e steht, wo e hingehört</translation>
     </message>
     <message>
         <source>1 + e is the whole change of the velocity, e what comes back.</source>
         <translation>1 + e ist die ganze Änderung der Geschwindigkeit, e das, was zurückkommt.</translation>
     </message>
     <message>
-        <source>The walls slow %who and turn nothing round</source>
-        <translation>Die Wände bremsen %who und kehren nichts um</translation>
-    </message>
-    <message>
-        <source>A hit at a wall puts %who somewhere else</source>
-        <translation>Ein Stoß an einer Wand versetzt %who</translation>
-    </message>
-    <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
-        <translation>An %1 wurde der Kreis %2 m von seiner eigenen Bahn weg gesetzt, auf %3 m. Jeder Kreis geht an seinen *eigenen* Ort zurück: Sieh nach, welchen Ort er bekommt.</translation>
-    </message>
-    <message>
-        <source>A hit of one circle at a wall also stops the other on its way</source>
-        <translation>Stößt ein Kreis an eine Wand, hält das auch den anderen unterwegs auf</translation>
-    </message>
-    <message>
-        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation>Als %1 an %2 ankam, lief der andere Kreis, weit von jeder Wand, nicht frei weiter. Jeder Kreis wird für sich zurückgesetzt: Sieh nach, wessen Orte deine Wand ändert.</translation>
-    </message>
-    <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
         <translation>In einer Ecke wird für %who nur ein Anteil der Geschwindigkeit umgekehrt</translation>
-    </message>
-    <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
-        <translation>Der Boden trägt Kreis %1 nicht
-
-Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber nichts setzt ihn zurück, und die Schwerkraft zieht ihn in jedem Schritt tiefer. Setz den Kreis dorthin zurück, wo er berührt.</translation>
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
@@ -2894,18 +2746,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
     <message>
         <source>A hit does not stop both circles</source>
         <translation>Ein Stoß hält nicht beide Kreise an</translation>
-    </message>
-    <message>
-        <source>The walls give %who between %1 and %2 times the speed back</source>
-        <translation>Von den Wänden kommt für %who das %1- bis %2-Fache des Tempos zurück</translation>
-    </message>
-    <message>
-        <source>Look at the factors in front of the part that you turn round.</source>
-        <translation>Sieh dir die Faktoren vor dem Anteil an, den du umkehrst.</translation>
-    </message>
-    <message>
-        <source>The walls give %who %1 times the speed back</source>
-        <translation>Von den Wänden kommt für %who das %1-Fache des Tempos zurück</translation>
     </message>
     <message>
         <source>The circles are put back and keep their velocities</source>
@@ -3036,34 +2876,6 @@ Nach %2 s in der Nähe des Bodens ist sein Rand %3 m darunter: Er kehrt um, aber
         <translation>Kreis %5 kam mit %2 m/s an %1 an und ging mit %3 m/s; richtig ist %4 m/s.</translation>
     </message>
     <message>
-        <source>The walls give %who %1 e of the speed back, not e</source>
-        <translation>Von den Wänden kommt für %who das Tempo mal %1 e zurück, nicht mal e</translation>
-    </message>
-    <message>
-        <source>None of the four walls turns %who round</source>
-        <translation>Keine der vier Wände lässt %who umkehren</translation>
-    </message>
-    <message>
-        <source>Not every wall holds %who: %1</source>
-        <translation>Nichts hält %who an %1 auf</translation>
-    </message>
-    <message>
-        <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>Dorthin geworfen, geht der Kreis über die Wand hinaus weiter. Ein Quadrat hat vier Wände: Sieh dir an, was dein Programm bei jeder fragt.</translation>
-    </message>
-    <message>
-        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
-        <translation>Er kam mit %1 m/s und ging mit %2 m/s. Beide Wände werden im selben Schritt getroffen, und die zweite muss von dem ausgehen, was die erste gemacht hat, nicht von der Geschwindigkeit davor.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves the wall
-
-Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>Kreis %1 kehrt noch einmal um, während er die Wand verlässt
-
-Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch einmal um, in die Wand hinein: bei einem Fall aus geringer Höhe oder nach einem langsamen Stoß. Setz ihn nach innen zurück, oder frag, wohin er sich bewegt, bevor du ihn umkehren lässt.</translation>
-    </message>
-    <message>
         <source>In your own scene the first step changes the velocity of %who</source>
         <translation>In deiner eigenen Szene ändert der erste Schritt die Geschwindigkeit für %who</translation>
     </message>
@@ -3120,24 +2932,12 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Etwas ändert fern von jeder Wand die Geschwindigkeit für %who</translation>
     </message>
     <message>
-        <source>A hit puts %who further out (%1)</source>
-        <translation>Ein Stoß setzt %who weiter nach außen (an %1)</translation>
-    </message>
-    <message>
-        <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>Der Mittelpunkt wäre auf %1 m an die Wand gekommen und wurde %2 m davor gesetzt; der Radius ist %3 m. Setz den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
-    </message>
-    <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
         <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s und im zweiten um %3 m/s. Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
     </message>
     <message>
         <source>Between equal circles the push is %1 times as large as it should be</source>
         <translation>Zwischen gleichen Kreisen ist der Kraftstoß %1-mal so groß, wie er sein soll</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round at the wrong place</source>
-        <translation>Die Wände lassen %who am falschen Ort umkehren</translation>
     </message>
     <message>
         <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
@@ -3150,11 +2950,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m past the wall. It should turn when its rim is there.</source>
         <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 und %5 m hinter der Wand ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
-    </message>
-    <message>
-        <source> (%1)</source>
-        <comment>walls</comment>
-        <translation> (an %1)</translation>
     </message>
     <message>
         <source>A hit soon after another is not answered</source>
@@ -3205,14 +3000,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Kreis %3 kehrt um, wenn sein Mittelpunkt einen Radius, %1 m, hinter der Wand ist. Von seinen beiden Enden berührt das nähere zuerst: Sieh dir das Vorzeichen vor dem Radius an.</translation>
     </message>
     <message>
-        <source>The %1 does not turn %who where it stands</source>
-        <translation>Die Umkehr an %1 liegt nicht dort, wo die Wand steht (%who)</translation>
-    </message>
-    <message>
-        <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
-        <translation>Dorthin geworfen, kehrte Kreis %1 schon im ersten Schritt um, von %2 auf %3 m/s, mit dem Mittelpunkt noch %4 m von der Wand; der Radius ist %5 m. Sieh dir den Ort an, den dein Programm für diese Wand nimmt.</translation>
-    </message>
-    <message>
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>Zu %1 hin geworfen, änderte Kreis %6 im ersten Schritt seine Geschwindigkeit von %2 auf %3 m/s, mit dem Mittelpunkt noch %4 m von dieser Wand; der Radius ist %5 m. Sieh dir die Bedingungen an: Welche ist fern von jeder Wand wahr?</translation>
     </message>
@@ -3239,18 +3026,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
         <translation>In jedem Schritt kommt v Δt zum Ort hinzu. Sieh nach, was die Zeile, die den Ort ändert, stattdessen nimmt.</translation>
-    </message>
-    <message>
-        <source>The walls do not give %who e times the speed back</source>
-        <translation>Von den Wänden kommt für %who nicht das e-Fache des Tempos zurück</translation>
-    </message>
-    <message>
-        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
-        <translation>Bei e = %1 ist es das %2-Fache des Tempos, bei e = %3 das %4-Fache. Sieh dir den Faktor vor dem Anteil an, den du umkehrst.</translation>
-    </message>
-    <message>
-        <source>At the walls the radius of another circle stands for that of %who</source>
-        <translation>An den Wänden steht der Radius eines anderen Kreises für den von %who</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
@@ -3357,20 +3132,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>das Doppelte des kleineren Radius</translation>
     </message>
     <message>
-        <source>Slow hits at the walls do not turn %who round</source>
-        <translation>Langsame Stöße an den Wänden lassen %who nicht umkehren</translation>
-    </message>
-    <message>
         <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
         <translation>Kreis %1 kam mit %3 m/s an %2 an und lief darüber hinaus; mit %4 m/s kehrt er um. Wie schnell er kommt, spielt keine Rolle: Es zählt, ob sein Rand über die Wand hinaus ist und wohin er sich bewegt.</translation>
-    </message>
-    <message>
-        <source>Slow hits at the walls give %who another share of the speed back</source>
-        <translation>Von langsamen Stößen an den Wänden kommt für %who ein anderer Teil des Tempos zurück</translation>
-    </message>
-    <message>
-        <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
-        <translation>Mit e = %1 kam Kreis %2 mit %4 m/s an %3 an und ging mit dem %5-Fachen dieses Tempos; richtig ist das %6-Fache. Der Faktor ist für jedes Tempo derselbe.</translation>
     </message>
     <message>
         <source>Hits come out right only where circle 2 is to the right of circle 1</source>
@@ -3443,10 +3206,6 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
     <message>
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
         <translation>Mit e = %1 trennten sich zwei Kreise mit dem %2-Fachen des Tempos, mit dem sie sich trafen; bei ihrem zweiten Stoß, zurück von einer Wand, war es das %3-Fache. Sieh nach, wann deine Antwort erfährt, was e ist: Das kommt zu spät.</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round a whole second too early</source>
-        <translation>Die Wände lassen %who eine ganze Sekunde zu früh umkehren</translation>
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
@@ -3529,28 +3288,8 @@ Sein Rand war noch draußen, er bewegte sich schon nach innen und kehrte noch ei
         <translation>Stöße der beiden Kreise gehen nur %1 richtig aus</translation>
     </message>
     <message>
-        <source>The walls turn %who round only %1</source>
-        <translation>Die Wände kehren %who nur %1 um</translation>
-    </message>
-    <message>
-        <source>Hits of %who at the walls come out right only %1</source>
-        <translation>Stöße an den Wänden gehen nur %1 richtig aus (%who)</translation>
-    </message>
-    <message>
         <source>Beside a wall the velocity of both circles changes at once</source>
         <translation>Neben einer Wand ändert sich die Geschwindigkeit beider Kreise zugleich</translation>
-    </message>
-    <message>
-        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. Look at which lines run for both, and at what they ask.</source>
-        <translation>Als Kreis %1 an %3 ankam, mit seiner Mitte %2 m davor, änderte sich seine Geschwindigkeit, und im selben Schritt die des anderen, fern von ihm und von jeder Wand. Sieh nach, welche Zeilen für beide laufen und was sie fragen.</translation>
-    </message>
-    <message>
-        <source>A hit puts %who away from the wall (%1)</source>
-        <translation>Ein Stoß setzt %who von der Wand weg (an %1)</translation>
-    </message>
-    <message>
-        <source>Its centre was %1 m from the wall before that step and was put %2 m from it; its radius is %3 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>Seine Mitte war vor diesem Schritt %1 m von der Wand entfernt und wurde %2 m vor sie gesetzt; sein Radius ist %3 m, so dass eine Lücke bleibt. Setze ihn dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
     </message>
     <message>
         <source>At %1 s of its run they met at %2 m, with %3 m/s, and ran into each other.</source>
@@ -3851,6 +3590,357 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
         <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; nach jenem Verfahren sind es %6 m.</translation>
+    </message>
+    <message>
+        <source>with a velocity that points right</source>
+        <translation>mit einer Geschwindigkeit nach rechts</translation>
+    </message>
+    <message>
+        <source>with a velocity that points left</source>
+        <translation>mit einer Geschwindigkeit nach links</translation>
+    </message>
+    <message>
+        <source>with a velocity that points up</source>
+        <translation>mit einer Geschwindigkeit nach oben</translation>
+    </message>
+    <message>
+        <source>with a velocity that points down</source>
+        <translation>mit einer Geschwindigkeit nach unten</translation>
+    </message>
+    <message>
+        <source>up to a speed into the wall between %1 and %2 m/s</source>
+        <translation>bis zu einem Tempo in die Wand hinein zwischen %1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>from a speed into the wall between %1 and %2 m/s on</source>
+        <translation>ab einem Tempo in die Wand hinein zwischen %1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>up to a speed along the wall between %1 and %2 m/s</source>
+        <translation>bis zu einem Tempo längs der Wand zwischen %1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>from a speed along the wall between %1 and %2 m/s on</source>
+        <translation>ab einem Tempo längs der Wand zwischen %1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>Where nothing rubs, a push points along the normal only.</source>
+        <translation>Wo nichts reibt, wirkt ein Stoß nur längs der Normalen.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls hold %who and turn no velocity round</source>
+        <translation>Stöße an %walls halten %who auf und kehren keine Geschwindigkeit um</translation>
+    </message>
+    <message>
+        <source>It is put back in every step and runs into it again.</source>
+        <translation>Der Kreis wird in jedem Schritt zurückgesetzt und läuft wieder hinein.</translation>
+    </message>
+    <message>
+        <source>It is put back, and its velocity stays as it was.</source>
+        <translation>Der Kreis wird zurückgesetzt, und seine Geschwindigkeit bleibt, wie sie war.</translation>
+    </message>
+    <message>
+        <source>At the %walls %who gets the velocity of the other circle</source>
+        <translation>An %walls bekommt %who die Geschwindigkeit des anderen Kreises</translation>
+    </message>
+    <message>
+        <source>The other circle had %1 m/s. Look at whose velocity the line takes.</source>
+        <translation>Der andere Kreis hatte %1 m/s. Sieh dir an, wessen Geschwindigkeit die Zeile nimmt.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the wrong part of the velocity of %who</source>
+        <translation>Stöße an %walls kehren für %who den falschen Anteil der Geschwindigkeit um</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the whole velocity of %who round</source>
+        <translation>Stöße an %walls kehren für %who die ganze Geschwindigkeit um</translation>
+    </message>
+    <message>
+        <source>At the %walls e also shortens the part of %who along the wall</source>
+        <translation>An %walls verkürzt e für %who auch den Anteil längs der Wand</translation>
+    </message>
+    <message>
+        <source>At the %walls e acts on the wrong part of the velocity of %who</source>
+        <translation>An %walls wirkt e für %who auf den falschen Anteil der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the part of %who along the wall round, too</source>
+        <translation>Stöße an %walls kehren für %who auch den Anteil längs der Wand um</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take the part of %who along the wall away</source>
+        <translation>Stöße an %walls nehmen für %who den Anteil längs der Wand weg</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls change the part of %who along the wall</source>
+        <translation>Stöße an %walls ändern für %who den Anteil längs der Wand</translation>
+    </message>
+    <message>
+        <source>At the %walls a number stands for e, for %who</source>
+        <translation>An %walls steht für %who eine Zahl statt e</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 e of the speed back, not e</source>
+        <translation>An %walls kommt für %who das Tempo mal %1 e zurück, nicht mal e</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who a speed of their own</source>
+        <translation>Stöße an %walls geben für %who ein eigenes Tempo vor</translation>
+    </message>
+    <message>
+        <source>However fast it comes, it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Wie schnell er auch ankommt, er geht mit %1 m/s weg: Berechne die neue Geschwindigkeit aus der alten.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls do not turn %who round</source>
+        <translation>Stöße an %walls lassen %who nicht umkehren</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls do not give %who e times the speed back</source>
+        <translation>An %walls kommt für %who nicht das e-Fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
+        <translation>Mit e = %1 ist es das %2-Fache des Tempos, mit e = %3 das %4-Fache.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who between %1 and %2 times the speed back</source>
+        <translation>An %walls kommt für %who das %1- bis %2-Fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 times the speed back</source>
+        <translation>An %walls kommt für %who das %1-Fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>Look at what the new velocity is worked out from.</source>
+        <translation>Sieh dir an, woraus die neue Geschwindigkeit berechnet wird.</translation>
+    </message>
+    <message>
+        <source>The least came at the %1 with %2 m/s into it, the most at the %3 with %4 m/s.</source>
+        <translation>Am wenigsten kam an %1 mit %2 m/s hinein zurück, am meisten an %3 mit %4 m/s.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who only e of the speed back</source>
+        <translation>An %walls kommt für %who nur das e-Fache des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>In this step walls give all of it back, whatever e is: e belongs to the hits of the circles.</source>
+        <translation>In diesem Schritt geben Wände alles zurück, wie groß e auch ist: e gehört zu den Stößen der Kreise.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who all of the speed back</source>
+        <translation>An %walls kommt für %who das ganze Tempo zurück</translation>
+    </message>
+    <message>
+        <source>Whatever e is, nothing of it is lost.</source>
+        <translation>Wie groß e auch ist, nichts davon geht verloren.</translation>
+    </message>
+    <message>
+        <source>At the %walls e acts on %who twice</source>
+        <translation>An %walls wirkt e zweimal auf %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the root of e acts on %who</source>
+        <translation>An %walls wirkt die Wurzel aus e auf %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls stop %who</source>
+        <translation>Stöße an %walls halten %who an</translation>
+    </message>
+    <message>
+        <source>Of the part along the normal nothing comes back.</source>
+        <translation>Vom Anteil längs der Normalen kommt nichts zurück.</translation>
+    </message>
+    <message>
+        <source>At the %walls 1 − e stands where e belongs, for %who</source>
+        <translation>An %walls steht für %who 1 − e, wo e hingehört</translation>
+    </message>
+    <message>
+        <source>At the %walls 1 + e stands where e belongs, for %who</source>
+        <translation>An %walls steht für %who 1 + e, wo e hingehört</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls slow %who and turn nothing round</source>
+        <translation>Stöße an %walls bremsen %who und kehren nichts um</translation>
+    </message>
+    <message>
+        <source>Here e is %1. </source>
+        <translation>Hier ist e = %1. </translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <comment>behind: at the</comment>
+        <translation>den Wänden</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>walls</comment>
+        <extracomment>&quot;left wall, floor&quot; and &quot;ceiling&quot;</extracomment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round only %1</source>
+        <translation>Stöße an %walls kehren %who nur %1 um</translation>
+    </message>
+    <message>
+        <source>Hits of %who at the %walls come out right only %1</source>
+        <translation>Stöße an %walls gehen nur %1 richtig aus (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it at first.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %4 m mit %5 m/s an %3 an und lief erst einmal darüber hinaus.</translation>
+    </message>
+    <message>
+        <source>That at %1 s of circle %2 came out right: at the %3 at %4 m with %5 m/s.</source>
+        <translation>Der bei %1 s von Kreis %2 ging richtig aus: an %3 bei %4 m mit %5 m/s.</translation>
+    </message>
+    <message>
+        <source>No wall turns %who round</source>
+        <translation>Keine Wand lässt %who umkehren</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
+        <translation>Gegen jede geworfen, ging es hindurch (%who); an %1 mit %2 m/s. Sieh dir an, was nach der Bewegung gefragt wird und ob die Antwort je Ja ist.</translation>
+    </message>
+    <message>
+        <source>Nothing turns %who round at the %walls</source>
+        <translation>Nichts lässt %who an %walls umkehren</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
+        <translation>Mit %2 m/s zu %1 geworfen, ging Kreis %3 darüber hinaus. Sieh dir an, was dein Programm dafür fragt und ob die Antwort je Ja ist.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round only at times</source>
+        <translation>Stöße an %walls kehren %who nur manchmal um</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
+        <translation>Mit %2 m/s von %3 m aus zu %1 geworfen, ging Kreis %4 darüber hinaus; mit %5 m/s von %6 m aus kehrt er um. Sieh dir an, was dein Programm außerdem fragt: Es zählt nur, ob der Rand jenseits der Wand ist und der Kreis sich in sie hinein bewegt.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round too early</source>
+        <translation>Stöße an %walls lassen %who zu früh umkehren</translation>
+    </message>
+    <message>
+        <source>At the %walls the centre of %who is asked for, not the rim</source>
+        <translation>An %walls wird für %who nach dem Mittelpunkt gefragt, nicht nach dem Rand</translation>
+    </message>
+    <message>
+        <source>At the %walls the radius of another circle stands for that of %who</source>
+        <translation>An %walls steht der Radius eines anderen Kreises für den von %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the larger radius stands for that of %who</source>
+        <translation>An %walls steht der größere Radius für den von %who</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene, der größer ist. Jeder Kreis hat seinen eigenen.</translation>
+    </message>
+    <message>
+        <source>At the %walls the smaller radius stands for that of %who</source>
+        <translation>An %walls steht der kleinere Radius für den von %who</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene, der kleiner ist. Jeder Kreis hat seinen eigenen.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round too late</source>
+        <translation>Stöße an %walls lassen %who zu spät umkehren</translation>
+    </message>
+    <message>
+        <source>At the %walls a number stands for the radius of %who</source>
+        <translation>An %walls steht für %who eine Zahl statt des Radius</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round at the far side of the rim</source>
+        <translation>Stöße an %walls lassen %who erst am hinteren Rand umkehren</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round a whole second too early</source>
+        <translation>Stöße an %walls lassen %who eine ganze Sekunde zu früh umkehren</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round at the wrong place</source>
+        <translation>Stöße an %walls lassen %who am falschen Ort umkehren</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls do not turn %who round</source>
+        <translation>Langsame Stöße an %walls lassen %who nicht umkehren</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls give %who another share of the speed back</source>
+        <translation>Von langsamen Stößen an %walls kommt für %who ein anderer Teil des Tempos zurück</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 times that speed; %5 times is right, however slow it is.</source>
+        <translation>Kreis %1 kam mit %3 m/s an %2 an und verließ sie mit dem %4-Fachen dieses Tempos; das %5-Fache ist richtig, wie langsam er auch ist.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who somewhere else</source>
+        <translation>Stöße an %walls versetzen %who</translation>
+    </message>
+    <message>
+        <source>At the %1 circle %4 was put %2 m away from its own path, at %3 m.</source>
+        <translation>An %1 wurde Kreis %4 um %2 m von seiner eigenen Bahn weg gesetzt, auf %3 m.</translation>
+    </message>
+    <message>
+        <source>There the other circle was: each circle goes back to its *own* place.</source>
+        <translation>Dort war der andere Kreis: Jeder Kreis geht an seinen *eigenen* Ort zurück.</translation>
+    </message>
+    <message>
+        <source>It belongs where its rim is at the wall, or back where it was before that step.</source>
+        <translation>Er gehört dorthin, wo sein Rand an der Wand ist, oder zurück, wo er vor diesem Schritt war.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who further out</source>
+        <translation>Stöße an %walls setzen %who weiter nach außen</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %5 would have come to %2 m from the wall and was put %3 m from it; its radius is %4 m. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>An %1 wäre der Mittelpunkt von Kreis %5 auf %2 m an die Wand herangekommen und wurde auf %3 m gesetzt; der Radius ist %4 m. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. A wall turns the circle that touches it, and no other.</source>
+        <translation>Als Kreis %1 noch %2 m von %3 entfernt war, änderte sich seine Geschwindigkeit und im selben Schritt die des anderen, der weit von ihm und von jeder Wand war. Eine Wand lässt den Kreis umkehren, der sie berührt, und keinen anderen.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who too far in</source>
+        <translation>Stöße an %walls setzen %who zu weit nach innen</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %5 was %2 m from the wall before that step and was put %3 m from it; its radius is %4 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>An %1 war der Mittelpunkt von Kreis %5 vor diesem Schritt %2 m von der Wand entfernt und wurde auf %3 m gesetzt; der Radius ist %4 m, also bleibt eine Lücke. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
+    </message>
+    <message>
+        <source>A hit of one circle at a wall also changes the way of the other</source>
+        <translation>Ein Stoß des einen Kreises an einer Wand ändert auch den Weg des anderen</translation>
+    </message>
+    <message>
+        <source>In the step in which circle %1 was answered by the %2, the other circle, far from every wall, did not go on freely: its place is %3 m and its velocity %4 m/s off. A wall acts on the circle that touches it, and on no other.</source>
+        <translation>In dem Schritt, in dem Kreis %1 an %2 ankam, lief der andere Kreis, weit von jeder Wand, nicht frei weiter: Sein Ort liegt um %3 m und seine Geschwindigkeit um %4 m/s daneben. Eine Wand wirkt auf den Kreis, der sie berührt, und auf keinen anderen.</translation>
+    </message>
+    <message>
+        <source>Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
+        <translation>Kreis %3 kam mit %1 m/s an und ging mit %2 m/s weg. Beide Wände werden im selben Schritt getroffen, und jede muss ihren Anteil umkehren, welche auch zuerst kommt.</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor turns it, and yet gravity pulls it on. Put the circle back where it touches.</source>
+        <translation>Der Boden hält Kreis %1 nicht oben
+
+Nach %2 s in der Nähe des Bodens liegt sein Rand %3 m darunter, und tiefer als vorher: Der Boden lässt ihn umkehren, und doch zieht ihn die Schwerkraft weiter. Setze den Kreis dorthin zurück, wo er den Boden berührt.</translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves a wall
+
+It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Kreis %1 wird noch einmal umgekehrt, während er eine Wand verlässt
+
+Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umkehrst.</translation>
     </message>
 </context>
 <context>

@@ -2884,168 +2884,28 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Le cercle %5 est arrivé contre %1 à %2 m/s et en est reparti à %3 m/s&#xa0;; il faut %4 m/s.</translation>
     </message>
     <message>
-        <source>A smooth wall pushes along its normal only.</source>
-        <translation>Une paroi lisse ne pousse que suivant sa normale.</translation>
-    </message>
-    <message>
-        <source>The walls hold %who and turn no velocity round</source>
-        <translation>Les parois retiennent %who et n&apos;inversent aucune vitesse</translation>
-    </message>
-    <message>
-        <source>It is put back in every step and runs into the wall again.</source>
-        <translation>À chaque pas, le cercle est remis en arrière et avance de nouveau dans la paroi.</translation>
-    </message>
-    <message>
-        <source>The walls turn the wrong part of the velocity of %who</source>
-        <translation>Les parois inversent la mauvaise composante de la vitesse, pour %who</translation>
-    </message>
-    <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
         <translation>La normale des parois latérales est dirigée suivant x, celle du sol et du plafond suivant y.</translation>
-    </message>
-    <message>
-        <source>The walls turn the whole velocity of %who round</source>
-        <translation>Les parois inversent toute la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>At the walls e also shortens the part of %who along the wall</source>
-        <translation>Aux parois, e réduit aussi la composante le long de la paroi, pour %who</translation>
-    </message>
-    <message>
-        <source>At the walls e acts on the wrong part of the velocity of %who</source>
-        <translation>Aux parois, e agit sur la mauvaise composante de la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>The walls turn the part of %who along the wall round, too</source>
-        <translation>Les parois inversent aussi la composante le long de la paroi, pour %who</translation>
-    </message>
-    <message>
-        <source>The walls take the part of %who along the wall away</source>
-        <translation>Les parois suppriment la composante le long de la paroi, pour %who</translation>
-    </message>
-    <message>
-        <source>The walls change the part of %who along the wall</source>
-        <translation>Les parois changent la composante le long de la paroi, pour %who</translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for e, for %who</source>
-        <translation>Aux parois, un nombre tient lieu de e, pour %who</translation>
     </message>
     <message>
         <source>Whatever e is, %1 of the speed comes back.</source>
         <translation>Quel que soit e, les parois rendent %1 fois la vitesse.</translation>
     </message>
     <message>
-        <source>The walls give %who %1 e of the speed back, not e</source>
-        <translation>Les parois rendent %1 e fois la vitesse, pas e fois, pour %who</translation>
-    </message>
-    <message>
-        <source>Look at the factor in front of the part that you turn round.</source>
-        <translation>Regardez le facteur devant la composante que vous inversez.</translation>
-    </message>
-    <message>
-        <source>The walls give %who a speed of their own</source>
-        <translation>Les parois imposent une vitesse fixe, pour %who</translation>
-    </message>
-    <message>
-        <source>However fast it comes, it leaves the wall with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>Quelle que soit la vitesse d&apos;arrivée, le départ de la paroi se fait à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
-    </message>
-    <message>
-        <source>The walls do not turn %who round</source>
-        <translation>Les parois ne renvoient pas %who</translation>
-    </message>
-    <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
         <translation>La vitesse pointe toujours vers la paroi&#xa0;: regardez le signe.</translation>
-    </message>
-    <message>
-        <source>The walls give %who between %1 and %2 times the speed back</source>
-        <translation>Les parois rendent entre %1 et %2 fois la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>Look at the factors in front of the part that you turn round.</source>
-        <translation>Regardez les facteurs devant la composante que vous inversez.</translation>
-    </message>
-    <message>
-        <source>The walls give %who %1 times the speed back</source>
-        <translation>Les parois rendent %1 fois la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>Look at the sign: the velocity still points into the wall.</source>
-        <translation>Regardez le signe&#xa0;: la vitesse pointe toujours vers la paroi.</translation>
-    </message>
-    <message>
-        <source>The walls give %who all of the speed back</source>
-        <translation>Les parois rendent toute la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>e is not used at these walls.</source>
-        <translation>e n&apos;est pas utilisé à ces parois.</translation>
-    </message>
-    <message>
-        <source>At the walls e acts on %who twice</source>
-        <translation>Aux parois, e agit deux fois sur %who</translation>
     </message>
     <message>
         <source>Heights go with e², speeds with e.</source>
         <translation>Les hauteurs varient comme e², les vitesses comme e.</translation>
     </message>
     <message>
-        <source>At the walls the root of e acts on %who</source>
-        <translation>Aux parois, c&apos;est la racine de e qui agit sur %who</translation>
-    </message>
-    <message>
-        <source>The walls stop %who</source>
-        <translation>Les parois arrêtent %who</translation>
-    </message>
-    <message>
-        <source>Nothing brings it back.</source>
-        <translation>Rien ne fait revenir le cercle.</translation>
-    </message>
-    <message>
-        <source>At the walls 1 − e stands where e belongs, for %who</source>
-        <translation>Aux parois, 1 − e est là où il faut e, pour %who</translation>
-    </message>
-    <message>
         <source>1 − e is what is lost; e is what is left.</source>
         <translation>1 − e est ce qui est perdu&#xa0;; e est ce qui reste.</translation>
     </message>
     <message>
-        <source>The walls make %who faster: 1 + e stands where e belongs</source>
-        <translation>Les parois accélèrent %who&#xa0;: 1 + e est là où il faut e</translation>
-    </message>
-    <message>
         <source>1 + e is the whole change of the velocity, e what comes back.</source>
         <translation>1 + e est tout le changement de la vitesse, e ce qui revient.</translation>
-    </message>
-    <message>
-        <source>The walls slow %who and turn nothing round</source>
-        <translation>Les parois freinent %who et n&apos;inversent rien</translation>
-    </message>
-    <message>
-        <source>At the walls the centre of %who is asked for, not the rim</source>
-        <translation>Aux parois, c&apos;est le centre qui est comparé, pas le bord, pour %who</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too late</source>
-        <translation>Les parois renvoient %who trop tard</translation>
-    </message>
-    <message>
-        <source>At the walls a number stands for the radius of %who</source>
-        <translation>Aux parois, un nombre tient lieu de rayon, pour %who</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round too early</source>
-        <translation>Les parois renvoient %who trop tôt</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round at the far side of the rim</source>
-        <translation>Les parois renvoient %who au bord opposé</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round at the wrong place</source>
-        <translation>Les parois renvoient %who au mauvais endroit</translation>
     </message>
     <message>
         <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
@@ -3060,69 +2920,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 et %5 m derrière la paroi. Il doit faire demi-tour quand son bord y est.</translation>
     </message>
     <message>
-        <source> (%1)</source>
-        <comment>walls</comment>
-        <translation> (%1)</translation>
-    </message>
-    <message>
-        <source>None of the four walls turns %who round</source>
-        <translation>Aucune des quatre parois ne renvoie %who</translation>
-    </message>
-    <message>
-        <source>Thrown at each of the four walls, %1 m/s fast, it goes on through them. After every move each circle needs its questions: is its rim past a wall?</source>
-        <translation>Lancé vers chacune des quatre parois à %1 m/s, le cercle les traverse. Après chaque déplacement, il faut poser pour chaque cercle la question&#xa0;: son bord a-t-il passé une paroi&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Not every wall holds %who: %1</source>
-        <translation>Certaines parois n&apos;arrêtent pas %who&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Thrown there, the circle goes on past the wall. A square has four walls: look at the question that your program asks for each.</source>
-        <translation>Lancé vers là, le cercle continue au-delà de la paroi. Un carré a quatre parois&#xa0;: regardez la condition de votre programme pour chacune.</translation>
-    </message>
-    <message>
-        <source>A hit at a wall puts %who somewhere else</source>
-        <translation>Un choc contre une paroi place %who ailleurs</translation>
-    </message>
-    <message>
-        <source>A hit puts %who further out (%1)</source>
-        <translation>Un choc place %who plus à l&apos;extérieur (%1)</translation>
-    </message>
-    <message>
-        <source>Its centre would have come to %1 m from the wall and was put %2 m from it; its radius is %3 m. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>Le centre serait arrivé à %1 m de la paroi et a été mis à %2 m d&apos;elle&#xa0;; le rayon est de %3 m. Mettez le cercle là où son bord est à la paroi, ou remettez-le d&apos;où il venait.</translation>
-    </message>
-    <message>
-        <source>A hit of one circle at a wall also stops the other on its way</source>
-        <translation>Le choc d&apos;un cercle contre une paroi arrête aussi l&apos;autre en chemin</translation>
-    </message>
-    <message>
-        <source>While %1 was answered by the %2, the other circle, far from every wall, did not go on freely. Each circle is put back on its own: look at whose positions your wall changes.</source>
-        <translation>Pendant que %1 réagissait au choc contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement. Chaque cercle est remis en place séparément&#xa0;: regardez de quels cercles votre paroi change la position.</translation>
-    </message>
-    <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
         <translation>Dans un coin, une seule composante de la vitesse s&apos;inverse, pour %who</translation>
-    </message>
-    <message>
-        <source>It came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and the second must go on from what the first has made, not from the velocity before.</source>
-        <translation>Arrivée à %1 m/s, départ à %2 m/s. Les deux parois sont touchées dans le même pas, et la seconde doit partir de ce que la première a fait, pas de la vitesse d&apos;avant.</translation>
-    </message>
-    <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it: it turns, but nothing puts it back, and gravity pulls it deeper in every step. Put the circle back where it touches.</source>
-        <translation>Le sol ne soutient pas le cercle %1
-
-Après %2 s près du sol, son bord est à %3 m au-dessous&#xa0;: la vitesse s&apos;inverse, mais rien ne remet le cercle en place, et la pesanteur le tire plus bas à chaque pas. Remettez le cercle là où il touche le sol.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves the wall
-
-Its rim was still outside, it moved inward already, and it was turned into the wall once more: in a low drop or after a slow hit. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>Le cercle %1 est renvoyé encore une fois alors qu&apos;il quitte la paroi
-
-Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, et il a été renvoyé de nouveau dans la paroi&#xa0;: lors d&apos;une chute basse ou après un choc lent. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
     </message>
     <message>
         <source>A hit soon after another is not answered</source>
@@ -3159,10 +2958,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>Something away from every wall changes the velocity of %who</source>
         <translation>Loin de toute paroi, quelque chose change la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>At the %1 it was put %2 m away from its own path, at %3 m. Each circle goes back to its *own* place: look at which position it gets.</source>
-        <translation>Contre %1, le cercle a été mis à %2 m de sa propre trajectoire, en %3 m. Chaque cercle retourne à sa *propre* position&#xa0;: regardez quelle position il reçoit.</translation>
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
@@ -3205,14 +3000,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Le cercle %3 fait demi-tour quand son centre a dépassé la paroi d&apos;un rayon, %1 m. Des deux extrémités, c&apos;est la plus proche qui touche la première&#xa0;: regardez le signe devant le rayon.</translation>
     </message>
     <message>
-        <source>The %1 does not turn %who where it stands</source>
-        <translation>Le demi-tour n&apos;a pas lieu là où se trouve la paroi (%1&#xa0;: %who)</translation>
-    </message>
-    <message>
-        <source>Thrown towards it, circle %1 was turned round in the first step, from %2 to %3 m/s, with its centre still %4 m away from the wall; its radius is %5 m. Look at the place that your program takes for this wall.</source>
-        <translation>Lancé vers elle, le cercle %1 a fait demi-tour au premier pas, de %2 à %3 m/s, alors que son centre était encore à %4 m de la paroi&#xa0;; son rayon est de %5 m. Regardez la place que votre programme donne à cette paroi.</translation>
-    </message>
-    <message>
         <source>Thrown towards the %1, circle %6 changed its velocity from %2 to %3 m/s in the first step, with its centre still %4 m from that wall; its radius is %5 m. Look at the conditions: which of them is true away from every wall?</source>
         <translation>Lancé vers %1, le cercle %6 a vu sa vitesse passer de %2 à %3 m/s au premier pas, alors que son centre était encore à %4 m de cette paroi&#xa0;; son rayon est de %5 m. Regardez les conditions&#xa0;: laquelle est vraie loin de toute paroi&#xa0;?</translation>
     </message>
@@ -3239,18 +3026,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
         <translation>À chaque pas, v Δt s&apos;ajoute à la position. Regardez ce que la ligne qui change la position prend à la place.</translation>
-    </message>
-    <message>
-        <source>The walls do not give %who e times the speed back</source>
-        <translation>Les parois ne rendent pas e fois la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times. Look at the factor in front of the part that you turn round.</source>
-        <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois. Regardez le facteur devant la composante que vous inversez.</translation>
-    </message>
-    <message>
-        <source>At the walls the radius of another circle stands for that of %who</source>
-        <translation>Aux parois, le rayon d&apos;un autre cercle tient lieu du bon, pour %who</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
@@ -3357,20 +3132,8 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>le double du plus petit rayon</translation>
     </message>
     <message>
-        <source>Slow hits at the walls do not turn %who round</source>
-        <translation>Les chocs lents contre les parois ne renvoient pas %who</translation>
-    </message>
-    <message>
         <source>Circle %1 came to the %2 with %3 m/s and went on past it; with %4 m/s it is turned round. How fast it comes does not matter: what counts is whether its rim is past the wall, and which way it moves.</source>
         <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a continué au-delà&#xa0;; à %4 m/s il fait demi-tour. Peu importe à quelle vitesse il vient&#xa0;: ce qui compte, c&apos;est que son bord ait dépassé la paroi, et dans quel sens il va.</translation>
-    </message>
-    <message>
-        <source>Slow hits at the walls give %who another share of the speed back</source>
-        <translation>Les chocs lents contre les parois rendent une autre part de la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>With e = %1 circle %2 came to the %3 with %4 m/s and left it with %5 times that speed; %6 times is right. The factor is the same for every speed.</source>
-        <translation>Avec e = %1, le cercle %2 est arrivé contre %3 à %4 m/s et est reparti avec %5 fois cette vitesse&#xa0;; il faut %6 fois. Le facteur est le même pour toute vitesse.</translation>
     </message>
     <message>
         <source>Hits come out right only where circle 2 is to the right of circle 1</source>
@@ -3443,10 +3206,6 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
     <message>
         <source>With e = %1 two circles parted with %2 times the speed that they met with; in their second hit, back from a wall, it was %3 times. Look at when your answer learns what e is: that comes too late.</source>
         <translation>Avec e = %1, deux cercles se sont séparés avec %2 fois la vitesse de leur rencontre&#xa0;; lors de leur second choc, au retour d&apos;une paroi, c&apos;était %3 fois. Regardez quand votre réponse apprend ce que vaut e&#xa0;: cela vient trop tard.</translation>
-    </message>
-    <message>
-        <source>The walls turn %who round a whole second too early</source>
-        <translation>Les parois renvoient %who une seconde entière trop tôt</translation>
     </message>
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and turned when its rim was between %4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of a second: a step takes it v Δt further, not v.</source>
@@ -3529,28 +3288,8 @@ Son bord était encore dehors, il se déplaçait déjà vers l&apos;intérieur, 
         <translation>Les chocs des deux cercles ne se passent bien que %1</translation>
     </message>
     <message>
-        <source>The walls turn %who round only %1</source>
-        <translation>Les parois ne renvoient %who que %1</translation>
-    </message>
-    <message>
-        <source>Hits of %who at the walls come out right only %1</source>
-        <translation>Les chocs contre les parois ne se passent bien que %1 (%who)</translation>
-    </message>
-    <message>
         <source>Beside a wall the velocity of both circles changes at once</source>
         <translation>Près d&apos;une paroi, la vitesse des deux cercles change en même temps</translation>
-    </message>
-    <message>
-        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. Look at which lines run for both, and at what they ask.</source>
-        <translation>Quand le cercle %1 était à %2 m (%3), sa vitesse a changé, et dans le même pas celle de l&apos;autre, loin de lui et de toute paroi. Regardez quelles lignes s&apos;exécutent pour les deux, et ce qu&apos;elles demandent.</translation>
-    </message>
-    <message>
-        <source>A hit puts %who away from the wall (%1)</source>
-        <translation>Un choc éloigne de la paroi %who (%1)</translation>
-    </message>
-    <message>
-        <source>Its centre was %1 m from the wall before that step and was put %2 m from it; its radius is %3 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
-        <translation>Son centre était à %1 m de la paroi avant ce pas et a été placé à %2 m d&apos;elle&#xa0;; son rayon est de %3 m, il reste donc un vide. Placez-le là où son bord touche la paroi, ou ramenez-le d&apos;où il venait.</translation>
     </message>
     <message>
         <source>At %1 s of its run they met at %2 m, with %3 m/s, and ran into each other.</source>
@@ -3851,6 +3590,357 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
         <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; par cette méthode, c&apos;est %6 m.</translation>
+    </message>
+    <message>
+        <source>with a velocity that points right</source>
+        <translation>avec une vitesse dirigée vers la droite</translation>
+    </message>
+    <message>
+        <source>with a velocity that points left</source>
+        <translation>avec une vitesse dirigée vers la gauche</translation>
+    </message>
+    <message>
+        <source>with a velocity that points up</source>
+        <translation>avec une vitesse dirigée vers le haut</translation>
+    </message>
+    <message>
+        <source>with a velocity that points down</source>
+        <translation>avec une vitesse dirigée vers le bas</translation>
+    </message>
+    <message>
+        <source>up to a speed into the wall between %1 and %2 m/s</source>
+        <translation>jusqu&apos;à une vitesse vers la paroi entre %1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>from a speed into the wall between %1 and %2 m/s on</source>
+        <translation>à partir d&apos;une vitesse vers la paroi entre %1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>up to a speed along the wall between %1 and %2 m/s</source>
+        <translation>jusqu&apos;à une vitesse le long de la paroi entre %1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>from a speed along the wall between %1 and %2 m/s on</source>
+        <translation>à partir d&apos;une vitesse le long de la paroi entre %1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>Where nothing rubs, a push points along the normal only.</source>
+        <translation>Là où rien ne frotte, une poussée n&apos;agit que le long de la normale.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls hold %who and turn no velocity round</source>
+        <translation>Les chocs contre %walls retiennent %who et n&apos;inversent aucune vitesse</translation>
+    </message>
+    <message>
+        <source>It is put back in every step and runs into it again.</source>
+        <translation>Le cercle est remis en place à chaque pas et repart contre elle.</translation>
+    </message>
+    <message>
+        <source>It is put back, and its velocity stays as it was.</source>
+        <translation>Le cercle est remis en place, et sa vitesse reste ce qu&apos;elle était.</translation>
+    </message>
+    <message>
+        <source>At the %walls %who gets the velocity of the other circle</source>
+        <translation>Contre %walls, la vitesse de l&apos;autre cercle est donnée à celui-ci&#xa0;: %who</translation>
+    </message>
+    <message>
+        <source>The other circle had %1 m/s. Look at whose velocity the line takes.</source>
+        <translation>L&apos;autre cercle avait %1 m/s. Regardez de quel cercle la ligne prend la vitesse.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the wrong part of the velocity of %who</source>
+        <translation>Les chocs contre %walls inversent la mauvaise composante de la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the whole velocity of %who round</source>
+        <translation>Les chocs contre %walls inversent toute la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls e also shortens the part of %who along the wall</source>
+        <translation>Contre %walls, e réduit aussi la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls e acts on the wrong part of the velocity of %who</source>
+        <translation>Contre %walls, e agit sur la mauvaise composante de la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn the part of %who along the wall round, too</source>
+        <translation>Les chocs contre %walls inversent aussi la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take the part of %who along the wall away</source>
+        <translation>Les chocs contre %walls suppriment la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls change the part of %who along the wall</source>
+        <translation>Les chocs contre %walls changent la composante le long de la paroi, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls a number stands for e, for %who</source>
+        <translation>Contre %walls, un nombre tient lieu de e, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 e of the speed back, not e</source>
+        <translation>Les chocs contre %walls rendent %1 e fois la vitesse, pas e fois, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who a speed of their own</source>
+        <translation>Les chocs contre %walls imposent une vitesse fixe, pour %who</translation>
+    </message>
+    <message>
+        <source>However fast it comes, it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Quelle que soit sa vitesse d&apos;arrivée, il repart à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls do not turn %who round</source>
+        <translation>Les chocs contre %walls ne renvoient pas %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls do not give %who e times the speed back</source>
+        <translation>Les chocs contre %walls ne rendent pas e fois la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
+        <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who between %1 and %2 times the speed back</source>
+        <translation>Les chocs contre %walls rendent entre %1 et %2 fois la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 times the speed back</source>
+        <translation>Les chocs contre %walls rendent %1 fois la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at what the new velocity is worked out from.</source>
+        <translation>Regardez à partir de quoi la nouvelle vitesse est calculée.</translation>
+    </message>
+    <message>
+        <source>The least came at the %1 with %2 m/s into it, the most at the %3 with %4 m/s.</source>
+        <translation>Le moins est revenu contre %1 avec %2 m/s vers elle, le plus contre %3 avec %4 m/s.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who only e of the speed back</source>
+        <translation>Les chocs contre %walls ne rendent que e fois la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>In this step walls give all of it back, whatever e is: e belongs to the hits of the circles.</source>
+        <translation>À cette étape, les parois rendent tout, quel que soit e&#xa0;: e appartient aux chocs entre cercles.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who all of the speed back</source>
+        <translation>Les chocs contre %walls rendent toute la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Whatever e is, nothing of it is lost.</source>
+        <translation>Quel que soit e, rien n&apos;en est perdu.</translation>
+    </message>
+    <message>
+        <source>At the %walls e acts on %who twice</source>
+        <translation>Contre %walls, e agit deux fois sur %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the root of e acts on %who</source>
+        <translation>Contre %walls, c&apos;est la racine de e qui agit sur %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls stop %who</source>
+        <translation>Les chocs contre %walls arrêtent %who</translation>
+    </message>
+    <message>
+        <source>Of the part along the normal nothing comes back.</source>
+        <translation>De la composante le long de la normale, rien ne revient.</translation>
+    </message>
+    <message>
+        <source>At the %walls 1 − e stands where e belongs, for %who</source>
+        <translation>Contre %walls, 1 − e est là où il faut e, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls 1 + e stands where e belongs, for %who</source>
+        <translation>Contre %walls, 1 + e est là où il faut e, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls slow %who and turn nothing round</source>
+        <translation>Les chocs contre %walls freinent %who et n&apos;inversent rien</translation>
+    </message>
+    <message>
+        <source>Here e is %1. </source>
+        <translation>Ici, e vaut %1. </translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <comment>behind: at the</comment>
+        <translation>les parois</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>walls</comment>
+        <extracomment>&quot;left wall, floor&quot; and &quot;ceiling&quot;</extracomment>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round only %1</source>
+        <translation>Les chocs contre %walls ne renvoient %who que %1</translation>
+    </message>
+    <message>
+        <source>Hits of %who at the %walls come out right only %1</source>
+        <translation>Les chocs contre %walls ne se passent bien que %1 (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it at first.</source>
+        <translation>Après %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, à %5 m/s, et a d&apos;abord continué au-delà.</translation>
+    </message>
+    <message>
+        <source>That at %1 s of circle %2 came out right: at the %3 at %4 m with %5 m/s.</source>
+        <translation>Celui à %1 s du cercle %2 s&apos;est bien passé&#xa0;: contre %3 à %4 m, à %5 m/s.</translation>
+    </message>
+    <message>
+        <source>No wall turns %who round</source>
+        <translation>Aucune paroi ne renvoie %who</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
+        <translation>Lancé contre chacune, voici ce qui l&apos;a traversée&#xa0;: %who&#xa0;; contre %1 avec %2 m/s. Regardez ce qui est demandé après le déplacement, et si la réponse est parfois oui.</translation>
+    </message>
+    <message>
+        <source>Nothing turns %who round at the %walls</source>
+        <translation>Rien ne renvoie %who contre %walls</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
+        <translation>Lancé vers %1 avec %2 m/s, le cercle %3 a continué au-delà. Regardez ce que votre programme demande pour elle, et si la réponse est parfois oui.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round only at times</source>
+        <translation>Les chocs contre %walls ne renvoient %who que parfois</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
+        <translation>Lancé vers %1 avec %2 m/s depuis %3 m, le cercle %4 a continué au-delà&#xa0;; avec %5 m/s depuis %6 m, il est renvoyé. Regardez ce que votre programme demande en plus&#xa0;: il suffit que le bord soit au-delà de la paroi et que le cercle aille vers elle.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round too early</source>
+        <translation>Les chocs contre %walls renvoient %who trop tôt</translation>
+    </message>
+    <message>
+        <source>At the %walls the centre of %who is asked for, not the rim</source>
+        <translation>Contre %walls, c&apos;est le centre qui est comparé, pas le bord, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the radius of another circle stands for that of %who</source>
+        <translation>Contre %walls, le rayon d&apos;un autre cercle tient lieu du bon, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the larger radius stands for that of %who</source>
+        <translation>Contre %walls, le plus grand rayon tient lieu du bon, pour %who</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle dans cette scène, qui est plus grand. Chaque cercle a le sien.</translation>
+    </message>
+    <message>
+        <source>At the %walls the smaller radius stands for that of %who</source>
+        <translation>Contre %walls, le plus petit rayon tient lieu du bon, pour %who</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle dans cette scène, qui est plus petit. Chaque cercle a le sien.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round too late</source>
+        <translation>Les chocs contre %walls renvoient %who trop tard</translation>
+    </message>
+    <message>
+        <source>At the %walls a number stands for the radius of %who</source>
+        <translation>Contre %walls, un nombre tient lieu de rayon, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round at the far side of the rim</source>
+        <translation>Les chocs contre %walls renvoient %who au bord opposé</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round a whole second too early</source>
+        <translation>Les chocs contre %walls renvoient %who une seconde entière trop tôt</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round at the wrong place</source>
+        <translation>Les chocs contre %walls renvoient %who au mauvais endroit</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls do not turn %who round</source>
+        <translation>Les chocs lents contre %walls ne renvoient pas %who</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls give %who another share of the speed back</source>
+        <translation>Les chocs lents contre %walls rendent une autre part de la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 times that speed; %5 times is right, however slow it is.</source>
+        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et l&apos;a quittée avec %4 fois cette vitesse&#xa0;; %5 fois est juste, si lent qu&apos;il soit.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who somewhere else</source>
+        <translation>Les chocs contre %walls placent %who ailleurs</translation>
+    </message>
+    <message>
+        <source>At the %1 circle %4 was put %2 m away from its own path, at %3 m.</source>
+        <translation>Contre %1, le cercle %4 a été mis à %2 m de sa propre trajectoire, en %3 m.</translation>
+    </message>
+    <message>
+        <source>There the other circle was: each circle goes back to its *own* place.</source>
+        <translation>L&apos;autre cercle était là&#xa0;: chaque cercle retourne à sa *propre* position.</translation>
+    </message>
+    <message>
+        <source>It belongs where its rim is at the wall, or back where it was before that step.</source>
+        <translation>Sa place est là où son bord touche la paroi, ou là où il était avant ce pas.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who further out</source>
+        <translation>Les chocs contre %walls placent %who plus à l&apos;extérieur</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %5 would have come to %2 m from the wall and was put %3 m from it; its radius is %4 m. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Contre %1, le centre du cercle %5 serait arrivé à %2 m de la paroi et a été placé à %3 m d&apos;elle&#xa0;; son rayon est de %4 m. Placez-le là où son bord touche la paroi, ou là d&apos;où il venait.</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity changed, and in the same step that of the other, far from it and from every wall. A wall turns the circle that touches it, and no other.</source>
+        <translation>Quand le cercle %1 était à %2 m de ceci&#xa0;: %3, sa vitesse a changé, et dans le même pas celle de l&apos;autre, loin de lui et de toute paroi. Une paroi renvoie le cercle qui la touche, et aucun autre.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who too far in</source>
+        <translation>Les chocs contre %walls placent %who trop à l&apos;intérieur</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %5 was %2 m from the wall before that step and was put %3 m from it; its radius is %4 m, so that there is a gap. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Contre %1, le centre du cercle %5 était à %2 m de la paroi avant ce pas et a été placé à %3 m d&apos;elle&#xa0;; son rayon est de %4 m, il y a donc un vide. Placez-le là où son bord touche la paroi, ou là d&apos;où il venait.</translation>
+    </message>
+    <message>
+        <source>A hit of one circle at a wall also changes the way of the other</source>
+        <translation>Un choc d&apos;un cercle contre une paroi change aussi le chemin de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>In the step in which circle %1 was answered by the %2, the other circle, far from every wall, did not go on freely: its place is %3 m and its velocity %4 m/s off. A wall acts on the circle that touches it, and on no other.</source>
+        <translation>Dans le pas où le cercle %1 a réagi contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement&#xa0;: sa position est décalée de %3 m et sa vitesse de %4 m/s. Une paroi agit sur le cercle qui la touche, et sur aucun autre.</translation>
+    </message>
+    <message>
+        <source>Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
+        <translation>Le cercle %3 est arrivé à %1 m/s et est reparti à %2 m/s. Les deux parois sont touchées dans le même pas, et chacune doit inverser sa composante, quelle que soit la première.</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor turns it, and yet gravity pulls it on. Put the circle back where it touches.</source>
+        <translation>Le sol ne retient pas le cercle %1
+
+Après %2 s près du sol, son bord est %3 m au-dessous, et plus bas qu&apos;avant&#xa0;: le sol le renvoie, et pourtant la pesanteur continue de l&apos;entraîner. Remettez le cercle là où il touche le sol.</translation>
+    </message>
+    <message>
+        <source>Circle %1 is turned round again while it leaves a wall
+
+It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Le cercle %1 est renvoyé une seconde fois alors qu&apos;il quitte une paroi
+
+Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
     </message>
 </context>
 <context>

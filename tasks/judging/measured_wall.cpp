@@ -6,6 +6,7 @@
 #include "tasks/judging/wall_range.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cradle {
 
@@ -45,6 +46,7 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             if (e != middleOf(others))
                 hits.push_back(range.shoot(circle, Wall::Right, e, 1, false));
         }
+        findLost(circle);
         for (const Wall wall : {Wall::Right, Wall::Bottom})
             slow.push_back(range.creep(circle, wall, all.size() > 1 ? middleOf(all) : all.back()));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
@@ -52,6 +54,13 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
         const bool turnsAtOnce = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
             return hit.circle == circle && hit.turned && hit.step == 1;
         });
+        for (const Wall wall : allWalls) {
+            const bool isAtOnce = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
+                return hit.circle == circle && hit.wall == wall && hit.turned && hit.step == 1;
+            });
+            if (isAtOnce)
+                middle.push_back(range.comeFromMiddle(circle, wall, all.back()));
+        }
         for (const double speed : {0.9, 0.45}) {
             if (turnsAtOnce)
                 far.push_back(range.comeFromFar(circle, speed));
@@ -64,6 +73,27 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             drops.push_back(range.lob(circle, all.back(), speed));
         if (all.size() > 1)
             drops.push_back(range.drop(circle, *std::min_element(all.begin(), all.end()), 0.0247));
+    }
+}
+
+void MeasuredWalls::findLost(int circle)
+{
+    // Where one place would do for all, of the centre or of the rim, there the wall turns circles.
+    const auto isOnePlace = [&](Wall wall, double radii) {
+        double least = std::numeric_limits<double>::infinity();
+        double most = -least;
+        for (const WallHit &hit : hits) {
+            if (hit.circle != circle || hit.wall != wall || !(hit.turned || hit.held))
+                continue;
+            least = std::min(least, hit.before + hit.travel - radii * hit.radius);
+            most = std::max(most, hit.reached - radii * hit.radius);
+        }
+        return most <= least + 1e-9;
+    };
+    for (WallHit &hit : hits) {
+        if (hit.circle == circle)
+            hit.isLost = (hit.turned || hit.held) && hit.isFar() && !isOnePlace(hit.wall, 0.0)
+                         && !isOnePlace(hit.wall, 1.0);
     }
 }
 

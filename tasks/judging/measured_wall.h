@@ -26,18 +26,25 @@ struct WallHit {
     Vec2 left{};            ///< and left with
     int again = 0;          ///< how often it was turned towards the wall while it left it
     bool turnsBoth = false; ///< a few steps later both parts point back
+    bool isLost = false;    ///< it was answered far beyond the wall, where something else came true
     bool stays = false;     ///< it does not come away from the wall
     double after = 0.0;     ///< of the centre from the wall after the answer
     double leap = 0.0;      ///< from both the old place and where it would have got
     Vec2 landed{};          ///< where it was after the answer
     bool disturbs = false;  ///< another circle did not fly on freely meanwhile
     bool kicks = false;     ///< its velocity, too, was changed
+    Motion otherFree{};     ///< what free flight makes of another circle meanwhile
+    Motion otherWas{};      ///< and where and how fast it was after the step
     qint64 step = 0;        ///< in which it was answered, from 1
     Stage stage{};
 
     /// Whether the answer came when the centre was \p distance from the wall; it may be a step
     /// late.
     [[nodiscard]] bool fits(double distance) const;
+    /// Whether it was answered when all of it was beyond the wall.
+    [[nodiscard]] bool isFar() const { return before < -1.3 * radius - std::abs(travel); }
+    /// Whether the wall turned it round or held it when it came.
+    [[nodiscard]] bool isAnswered() const { return (turned || held) && !isLost; }
     /// Whether the answer put it where no way of treating a wall puts it.
     [[nodiscard]] bool isLeap() const { return leap > 4.0 * std::abs(travel) + 1.5 * radius; }
 };
@@ -81,9 +88,14 @@ struct MeasuredWalls {
         corners{};               ///< of those hits both parts should turn; \c along tells the other
     std::vector<WallHit> slow{}; ///< two of each circle, with an e of the middle
     std::vector<WallHit> far{};  ///< of circles that are turned at once: two from far away
+    std::vector<WallHit> middle{}; ///< and one from the middle to each wall where they are
     std::vector<Drop> drops{};
     std::vector<int> judged{}; ///< the circles whose free flight is known
     double blur = 1e-3;        ///< of back and along: how far gravity blurs them
+
+private:
+    /// Marks those of its hits that are answered far beyond a wall, some here and some there.
+    void findLost(int circle);
 };
 
 } // namespace cradle

@@ -67,6 +67,14 @@ private:
 
 } // namespace
 
+void Occasion::comesWith(Vec2 towards, Vec2 normal)
+{
+    velocity = towards;
+    speed = length(towards);
+    into = dot(towards, normal);
+    along = std::abs(dot(towards, perpendicular(normal)));
+}
+
 int rightOnes(const std::vector<Occasion> &occasions)
 {
     return static_cast<int>(std::count_if(occasions.begin(), occasions.end(),
@@ -98,8 +106,12 @@ std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
         return Condition{Kind::AfterHit};
     if (right < fewest || wrong < fewest)
         return Condition{};
-    if (const auto pause = by.atLeast(Kind::Pause, [](const Occasion &one) { return one.pause; }))
-        return pause;
+    std::vector<Condition> all;
+    const auto take = [&](const std::optional<Condition> &one) {
+        if (one)
+            all.push_back(*one);
+    };
+    take(by.atLeast(Kind::Pause, [](const Occasion &one) { return one.pause; }));
     struct Part {
         double (*of)(const Occasion &);
         Kind most;
@@ -109,17 +121,27 @@ std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
          {Part{[](const Occasion &one) { return one.time; }, Kind::Until, Kind::From},
           Part{[](const Occasion &one) { return one.place.y; }, Kind::Below, Kind::Above},
           Part{[](const Occasion &one) { return one.place.x; }, Kind::LeftOf, Kind::RightOf},
-          Part{[](const Occasion &one) { return one.speed; }, Kind::Slower, Kind::Faster}}) {
-        for (const auto &found : {by.atMost(part.most, part.of), by.atLeast(part.least, part.of)}) {
-            if (found)
-                return found;
-        }
+          Part{[](const Occasion &one) { return one.speed; }, Kind::Slower, Kind::Faster},
+          Part{[](const Occasion &one) { return one.into; }, Kind::SlowerInto, Kind::FasterInto},
+          Part{[](const Occasion &one) { return one.along; }, Kind::SlowerAlong,
+               Kind::FasterAlong}}) {
+        take(by.atMost(part.most, part.of));
+        take(by.atLeast(part.least, part.of));
+    }
+    struct Way {
+        Vec2 to;
+        Kind kind;
+    };
+    for (const Way &way : {Way{{1.0, 0.0}, Kind::Rightward}, Way{{-1.0, 0.0}, Kind::Leftward},
+                           Way{{0.0, 1.0}, Kind::Upward}, Way{{0.0, -1.0}, Kind::Downward}}) {
+        if (by.is([&](const Occasion &one) { return dot(one.velocity, way.to) > 0.0; }))
+            all.push_back({way.kind});
     }
     for (const int setting : {0, 1}) {
         if (by.is([&](const Occasion &one) { return one.setting == setting; }))
-            return Condition{Kind::Setting};
+            all.push_back({Kind::Setting});
     }
-    return Condition{};
+    return all.size() == 1 ? all.front() : Condition{};
 }
 
 QString phraseOf(const Condition &condition)
@@ -160,6 +182,22 @@ QString phraseOf(const Condition &condition)
         return between(OccasionText::tr("to the left of a place between x = %1 and %2 m"));
     case Kind::RightOf:
         return between(OccasionText::tr("to the right of a place between x = %1 and %2 m"));
+    case Kind::Rightward:
+        return OccasionText::tr("with a velocity that points right");
+    case Kind::Leftward:
+        return OccasionText::tr("with a velocity that points left");
+    case Kind::Upward:
+        return OccasionText::tr("with a velocity that points up");
+    case Kind::Downward:
+        return OccasionText::tr("with a velocity that points down");
+    case Kind::SlowerInto:
+        return between(OccasionText::tr("up to a speed into the wall between %1 and %2 m/s"));
+    case Kind::FasterInto:
+        return between(OccasionText::tr("from a speed into the wall between %1 and %2 m/s on"));
+    case Kind::SlowerAlong:
+        return between(OccasionText::tr("up to a speed along the wall between %1 and %2 m/s"));
+    case Kind::FasterAlong:
+        return between(OccasionText::tr("from a speed along the wall between %1 and %2 m/s on"));
     case Kind::Slower:
         return between(OccasionText::tr("up to a speed between %1 and %2 m/s"));
     case Kind::Faster:

@@ -21,10 +21,16 @@ struct Occasion {
     double pause = std::numeric_limits<double>::infinity(); ///< since the one before it, s
     Vec2 place{};                                           ///< of the circle or of both, m
     double speed = 0.0;                                     ///< with which it comes, m/s
+    double into = 0.0;                                      ///< of that, into a wall
+    double along = 0.0;                                     ///< and along it
+    Vec2 velocity{};                                        ///< of which it is, of one circle, m/s
     int setting = 0;                                        ///< where the other circles were
     bool hasMet = false; ///< the two circles have hit each other before
     bool hasHit = false; ///< all circles have hit a wall before
     bool isRight = true;
+
+    /// It comes with that velocity to the wall of that outward normal.
+    void comesWith(Vec2 towards, Vec2 normal);
 };
 
 /// What those that come out right have in common, and no others.
@@ -47,6 +53,14 @@ struct Condition {
         RightOf,
         Slower, ///< speeds, m/s
         Faster,
+        SlowerInto, ///< a wall
+        FasterInto,
+        SlowerAlong,
+        FasterAlong,
+        Rightward, ///< ways
+        Leftward,
+        Upward,
+        Downward,
         Setting, ///< it counts where the other circles are
     };
     Kind kind = Kind::Sometimes;
@@ -55,7 +69,8 @@ struct Condition {
     double outside = 0.0;
 };
 
-/// \return nothing where all of \p occasions come out alike
+/// \return nothing where all of \p occasions come out alike; Sometimes, too, where several things
+///         divide them, of which none is known to be the one that counts
 [[nodiscard]] std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions);
 
 /// "the first time", "up to a time between 2.9 and 3.6 s": to stand behind "only".

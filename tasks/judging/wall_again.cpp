@@ -10,15 +10,28 @@ namespace cradle {
 
 namespace {
 
-/// Before each shot, two of each of two circles at each wall, s: some come as soon as the one
-/// before is over.
-constexpr std::array waits{0.0, 0.0, 0.3, 0.5, 0.0, 1.0, 0.0, 0.0,
-                           1.5, 2.0, 0.0, 3.0, 0.0, 5.0, 0.0, 0.0};
+/// How a shot comes to its wall, of the usual speed towards walls. What a program may ask about a
+/// velocity, its part into the wall, its part along it or its length, divides them differently.
+struct Throw {
+    double into = 1.0;
+    double along = 0.37;
+};
+constexpr std::array throws{Throw{1.0, 0.37},   Throw{0.37, -0.137}, Throw{0.37, 0.41},
+                            Throw{0.37, -1.07}, Throw{1.0, -0.07},   Throw{1.6, 0.59}};
+/// So many shots of each circle: every throw at every wall.
+constexpr std::size_t shotsOfCircle = throws.size() * std::size(allWalls);
+/// Before every so many shots there is a wait, s; the others come as soon as the one before is
+/// over.
+constexpr std::size_t shotsPerWait = 3;
+constexpr std::array waits{0.0, 0.3, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0};
 /// Where circles come to the walls, from their middles, m.
 constexpr std::array places{1.45, -2.65};
+/// Who is faster along the wall than that comes from the end that he flies away from.
+constexpr double steep = 0.5;
 /// Of one whose first shot is late, s.
 constexpr double lateStart = 6.0;
 constexpr int stepsOfMeeting = 12;
+constexpr int stepsToWall = 3; ///< of those that start near it
 
 /// Lets circles 1 and 2 run into each other. \return whether one of them was turned
 /// \param way  what they go in a step, of v h
@@ -46,21 +59,27 @@ WallOccasion WallRange::shotOf(std::size_t number, int circle, double e) const
 {
     const std::size_t round = number / std::size(allWalls);
     const std::size_t wall = (number + round / 2) % std::size(allWalls);
+    const Throw &how = throws[round % throws.size()];
+    double along = places[(round + wall) % places.size()];
+    if (std::abs(how.along) > steep)
+        along = -std::copysign(places[1], how.along);
     WallOccasion shot{.hit = {.circle = circle,
                               .wall = allWalls[wall],
                               .restitution = e,
                               .radius = largeRadius(),
                               .otherRadius = m_ground.walls.radii.low}};
     WallHit &hit = shot.hit;
-    shot.when.setting = static_cast<int>(round % 2);
-    hit.stage = stageOf(
-        hit, speedOf(circle, 0), 0.29,
-        {.along = places[(round / 2 + wall) % 2], .setting = shot.when.setting, .isNear = true});
+    shot.when.setting = static_cast<int>((round + wall / 2) % 2);
+    hit.stage = stageOf(hit, how.into * speedOf(circle, 0), 0.29,
+                        {.along = along,
+                         .slant = how.along / how.into,
+                         .setting = shot.when.setting,
+                         .isNear = true});
     const Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
     const Vec2 n = outwardNormal(hit.wall);
     const double room = hit.stage.preset.halfWidth - c.radius - dot(n, c.position);
     shot.when.place = c.position + room * n;
-    shot.when.speed = dot(c.velocity, n);
+    shot.when.comesWith(c.velocity, n);
     return shot;
 }
 
@@ -69,7 +88,7 @@ bool WallRange::shootIn(LongRun &run, WallOccasion &shot) const
     run.set(shot.hit.stage.preset);
     shot.when.time = run.time();
     watch(shot.hit, run.probe());
-    shot.when.time += static_cast<double>(std::max<qint64>(shot.hit.step, 1)) * m_h;
+    shot.when.time += static_cast<double>(stepsToWall) * m_h;
     return run.runs();
 }
 
@@ -93,11 +112,15 @@ std::vector<WallOccasion> WallRange::again(double e) const
     int number = 0;
     bool hasMet = false;
     double last = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < waits.size(); ++k) {
-        WallOccasion shot = shotOf(k, circles[(k + k / std::size(allWalls)) % circles.size()], e);
-        if (k == waits.size() / 2 && m_ground.pair.asked && m_ground.flights.size() > 1)
+    const std::size_t shots = shotsOfCircle * circles.size();
+    for (std::size_t k = 0; k < shots; ++k) {
+        // Each makes every throw at every wall: now one, now another.
+        const std::size_t who = k + k / std::size(allWalls) + k / shotsOfCircle;
+        WallOccasion shot = shotOf(k, circles[who % circles.size()], e);
+        if (k == shots / 2 && m_ground.pair.asked && m_ground.flights.size() > 1)
             hasMet = meet(run, shot.hit.stage.preset, flightOf(0).way.x);
-        run.wait(waits[k]);
+        if (k % shotsPerWait == 0 && k / shotsPerWait < waits.size())
+            run.wait(waits[k / shotsPerWait]);
         if (!shootIn(run, shot))
             return {};
         int &ownNumber = own[static_cast<std::size_t>(shot.hit.circle)];
@@ -109,7 +132,7 @@ std::vector<WallOccasion> WallRange::again(double e) const
         shot.when.ownNumber = ownNumber;
         shot.when.hasMet = hasMet;
         shot.when.pause = shot.when.time - last;
-        last = shot.when.time;
+        last = run.time(); // who is turned late comes the sooner again
         all.push_back(shot);
     }
     return all;

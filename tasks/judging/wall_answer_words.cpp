@@ -35,6 +35,8 @@ public:
             // It may have come to another place, and have been hit there.
             if ((hit.isLeap() && !right.isLeap()) || (hit.kicks && !right.kicks))
                 continue;
+            if (hit.isLost)
+                continue;
             if (hit.held && right.turned)
                 odd.push_back(i);
             else if (hit.turned && right.turned
@@ -44,12 +46,8 @@ public:
         }
         if (odd.empty())
             return std::nullopt;
-        std::set<int> circles;
-        std::set<Wall> walls;
-        for (const std::size_t i : odd) {
-            circles.insert(m_own.hits[i].circle);
-            walls.insert(m_own.hits[i].wall);
-        }
+        const Whose concerned =
+            whose([&](std::size_t i) { return std::find(odd.begin(), odd.end(), i) != odd.end(); });
         // The hit that shows most: one with losses, if those are what is wrong.
         const std::size_t at = *std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
             const auto rank = [&](std::size_t i) {
@@ -61,11 +59,8 @@ public:
         const WallHit &hit = m_own.hits[at];
         const WallHit &right = rightOf(at);
         const auto [headline, why] = answerWords(odd, hit, right);
-        const bool isOfSome = walls.size() < wallsLike(hit) || walls.size() == 1;
-        const QString where = isOfSome ? inBrackets(walls) : QString();
-        LawDeviation found =
-            deviation(headline + where, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
-                      {circles.begin(), circles.end()}, Suspect::Formula);
+        LawDeviation found = deviation(headline, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
+                                       concerned, Suspect::Formula);
         found.shown = static_cast<int>(odd.size());
         return found;
     }
@@ -78,22 +73,11 @@ private:
         const Vec2 n = outwardNormal(hit.wall);
         const Vec2 t = perpendicular(n);
         const Vec2 good = -right.back * dot(hit.came, n) * n + right.along * dot(hit.came, t) * t;
-        return (rebounds() ? WallText::tr("With e = %1: ").arg(brief(hit.restitution)) : QString())
+        return withE(hit)
                + WallText::tr("Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 "
                               "m/s is right.")
                      .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left), brief(good))
                      .arg(hit.circle + 1);
-    }
-
-    /// At how many walls circles were shot under the same conditions as \p hit.
-    [[nodiscard]] std::size_t wallsLike(const WallHit &hit) const
-    {
-        std::set<Wall> walls;
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            if (m_own.hits[i].restitution == hit.restitution && rightOf(i).turned)
-                walls.insert(m_own.hits[i].wall);
-        }
-        return walls.size();
     }
 
     /// Whether the ratio \p part is \p law of the restitution in all hits by those circles and at
@@ -119,31 +103,41 @@ private:
         const auto minusOne = [](double) { return -1.0; };
         const auto zero = [](double) { return 0.0; };
         const auto same = [](double e) { return e; };
-        const QString normalOnly = WallText::tr("A smooth wall pushes along its normal only.");
+        const QString normalOnly =
+            WallText::tr("Where nothing rubs, a push points along the normal only.");
         if (hit.held)
-            return {WallText::tr("The walls hold %who and turn no velocity round"),
-                    WallText::tr("It is put back in every step and runs into the wall again.")};
+            return {WallText::tr("Hits at the %walls hold %who and turn no velocity round"),
+                    hit.stays ? WallText::tr("It is put back in every step and runs into it again.")
+                              : WallText::tr("It is put back, and its velocity stays as it was.")};
+        if (isOfOther(odd))
+            return {WallText::tr("At the %walls %who gets the velocity of the other circle"),
+                    WallText::tr("The other circle had %1 m/s. Look at whose velocity the line "
+                                 "takes.")
+                        .arg(brief(hit.otherFree.velocity))};
         if (follows(odd, back, minusOne) && follows(odd, along, minusOne))
-            return {WallText::tr("The walls turn the wrong part of the velocity of %who"),
+            return {WallText::tr("Hits at the %walls turn the wrong part of the velocity of %who"),
                     WallText::tr("The normal of the side walls points along x, that of floor and "
                                  "ceiling along y.")};
         if (follows(odd, along, [&](double e) { return rebounds() ? -e : -1.0; })
             && follows(odd, back, [&](double e) { return rebounds() ? e : 1.0; }))
-            return {WallText::tr("The walls turn the whole velocity of %who round"), normalOnly};
+            return {WallText::tr("Hits at the %walls turn the whole velocity of %who round"),
+                    normalOnly};
         if (rebounds() && follows(odd, along, same) && follows(odd, back, same))
-            return {WallText::tr("At the walls e also shortens the part of %who along the wall"),
+            return {WallText::tr("At the %walls e also shortens the part of %who along the wall"),
                     normalOnly};
         if (rebounds() && follows(odd, along, same) && follows(odd, back, one))
-            return {WallText::tr("At the walls e acts on the wrong part of the velocity of %who"),
+            return {WallText::tr("At the %walls e acts on the wrong part of the velocity of %who"),
                     normalOnly};
         if (follows(odd, along, minusOne))
-            return {WallText::tr("The walls turn the part of %who along the wall round, too"),
-                    normalOnly};
+            return {
+                WallText::tr("Hits at the %walls turn the part of %who along the wall round, too"),
+                normalOnly};
         if (follows(odd, along, zero))
-            return {WallText::tr("The walls take the part of %who along the wall away"),
+            return {WallText::tr("Hits at the %walls take the part of %who along the wall away"),
                     normalOnly};
         if (!isNear(hit.along, right.along, blur()))
-            return {WallText::tr("The walls change the part of %who along the wall"), normalOnly};
+            return {WallText::tr("Hits at the %walls change the part of %who along the wall"),
+                    normalOnly};
         return backWords(odd, hit);
     }
 
@@ -158,32 +152,32 @@ private:
         const auto number = [&](double) { return hit.back; };
         if (odd.size() > 2 && rebounds() && follows(odd, back, number))
             return {
-                WallText::tr("At the walls a number stands for e, for %who"),
+                WallText::tr("At the %walls a number stands for e, for %who"),
                 WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
         const double share = hit.back / hit.restitution;
         if (rebounds() && hit.restitution > 0.0
             && follows(odd, back, [&](double e) { return share * e; }))
-            return {
-                WallText::tr("The walls give %who %1 e of the speed back, not e").arg(brief(share)),
-                WallText::tr("Look at the factor in front of the part that you turn round.")};
+            return {WallText::tr("Hits at the %walls give %who %1 e of the speed back, not e")
+                        .arg(brief(share)),
+                    lookAtNew()};
         if (const auto speed = ownSpeed(odd))
-            return {WallText::tr("The walls give %who a speed of their own"),
-                    WallText::tr("However fast it comes, it leaves the wall with %1 m/s: work the "
-                                 "new velocity out from the old one.")
+            return {WallText::tr("Hits at the %walls give %who a speed of their own"),
+                    WallText::tr("However fast it comes, it leaves with %1 m/s: work the new "
+                                 "velocity out from the old one.")
                         .arg(brief(*speed))};
         if (hit.back < 0.0)
-            return {WallText::tr("The walls do not turn %who round"),
+            return {WallText::tr("Hits at the %walls do not turn %who round"),
                     isAlike(hit.back, -hit.restitution, 0.05)
                         ? WallText::tr("Its velocity still points into the wall: look at the sign.")
                         : WallText::tr("Its velocity still points into the wall: look at what it "
                                        "is worked out from.")};
         // A share that is seen with one e alone is no law.
         if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
-            return {WallText::tr("The walls do not give %who e times the speed back"),
-                    WallText::tr("With e = %1 it is %2 times the speed, with e = %3 %4 times. Look "
-                                 "at the factor in front of the part that you turn round.")
-                        .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
-                             brief(other->back))};
+            return {WallText::tr("Hits at the %walls do not give %who e times the speed back"),
+                    WallText::tr("With e = %1 it is %2 times the speed, with e = %3 %4 times.")
+                            .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
+                                 brief(other->back))
+                        + QLatin1Char(' ') + lookAtNew()};
         const auto lowest = std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
             return m_own.hits[a].back < m_own.hits[b].back;
         });
@@ -193,11 +187,51 @@ private:
         const double least = m_own.hits[*lowest].back;
         const double most = m_own.hits[*highest].back;
         if (!isNear(least, most, blur()))
-            return {WallText::tr("The walls give %who between %1 and %2 times the speed back")
-                        .arg(brief(least), brief(most)),
-                    WallText::tr("Look at the factors in front of the part that you turn round.")};
-        return {WallText::tr("The walls give %who %1 times the speed back").arg(brief(hit.back)),
-                WallText::tr("Look at the factor in front of the part that you turn round.")};
+            return {
+                WallText::tr("Hits at the %walls give %who between %1 and %2 times the speed back")
+                    .arg(brief(least), brief(most)),
+                extremes(m_own.hits[*lowest], m_own.hits[*highest])};
+        return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
+                    .arg(brief(hit.back)),
+                lookAtNew()};
+    }
+
+    static QString lookAtNew()
+    {
+        return WallText::tr("Look at what the new velocity is worked out from.");
+    }
+
+    /// Where the least and the most of the speed came back.
+    static QString extremes(const WallHit &least, const WallHit &most)
+    {
+        const auto speed = [](const WallHit &hit) {
+            return brief(dot(hit.came, outwardNormal(hit.wall)));
+        };
+        return WallText::tr("The least came at the %1 with %2 m/s into it, the most at the %3 with "
+                            "%4 m/s.")
+            .arg(motion::wallName(least.wall), speed(least), motion::wallName(most.wall),
+                 speed(most));
+    }
+
+    /// Whether all of them leave with the part along the normal that the other circle has, or with
+    /// that turned round. It had several.
+    [[nodiscard]] bool isOfOther(const std::vector<std::size_t> &odd) const
+    {
+        const auto normal = [](Vec2 v, const WallHit &hit) {
+            return std::abs(dot(v, outwardNormal(hit.wall)));
+        };
+        const auto other = [&](std::size_t i) {
+            return normal(m_own.hits[i].otherFree.velocity, m_own.hits[i]);
+        };
+        return std::all_of(odd.begin(), odd.end(),
+                           [&](std::size_t i) {
+                               const WallHit &hit = m_own.hits[i];
+                               return !hit.disturbs && other(i) > 0.0
+                                      && std::abs(normal(hit.left, hit) - other(i)) < 0.02;
+                           })
+               && std::any_of(odd.begin(), odd.end(), [&](std::size_t i) {
+                      return std::abs(other(i) - other(odd.front())) > 0.05;
+                  });
     }
 
     /// A hit like \p hit with another e that gives another share of the speed back.
@@ -227,29 +261,33 @@ private:
 
     static std::vector<BackLaw> backLaws()
     {
-        const QString look = WallText::tr("Look at the sign: the velocity still points into the "
-                                          "wall.");
-        return {{[](double) { return 1.0; }, true,
-                 WallText::tr("The walls give %who all of the speed back"),
-                 WallText::tr("e is not used at these walls.")},
+        const QString look = WallText::tr("Its velocity still points into the wall: look at the "
+                                          "sign.");
+        return {{[](double e) { return e; }, true,
+                 WallText::tr("Hits at the %walls give %who only e of the speed back"),
+                 WallText::tr("In this step walls give all of it back, whatever e is: e belongs to "
+                              "the hits of the circles.")},
+                {[](double) { return 1.0; }, true,
+                 WallText::tr("Hits at the %walls give %who all of the speed back"),
+                 WallText::tr("Whatever e is, nothing of it is lost.")},
                 {[](double e) { return e * e; }, true,
-                 WallText::tr("At the walls e acts on %who twice"),
+                 WallText::tr("At the %walls e acts on %who twice"),
                  WallText::tr("Heights go with e², speeds with e.")},
                 {[](double e) { return std::sqrt(e); }, true,
-                 WallText::tr("At the walls the root of e acts on %who"),
+                 WallText::tr("At the %walls the root of e acts on %who"),
                  WallText::tr("Heights go with e², speeds with e.")},
-                {[](double) { return 0.0; }, false, WallText::tr("The walls stop %who"),
-                 WallText::tr("Nothing brings it back.")},
+                {[](double) { return 0.0; }, false, WallText::tr("Hits at the %walls stop %who"),
+                 WallText::tr("Of the part along the normal nothing comes back.")},
                 {[](double e) { return 1.0 - e; }, true,
-                 WallText::tr("At the walls 1 − e stands where e belongs, for %who"),
+                 WallText::tr("At the %walls 1 − e stands where e belongs, for %who"),
                  WallText::tr("1 − e is what is lost; e is what is left.")},
                 {[](double e) { return 1.0 + e; }, true,
-                 WallText::tr("The walls make %who faster: 1 + e stands where e belongs"),
+                 WallText::tr("At the %walls 1 + e stands where e belongs, for %who"),
                  WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
                 {[](double) { return -1.0; }, false,
-                 WallText::tr("The walls do not turn %who round"), look},
+                 WallText::tr("Hits at the %walls do not turn %who round"), look},
                 {[](double e) { return -e; }, true,
-                 WallText::tr("The walls slow %who and turn nothing round"), look}};
+                 WallText::tr("Hits at the %walls slow %who and turn nothing round"), look}};
     }
 
     /// The speed that all leave a wall with, though they came with several.

@@ -10,29 +10,51 @@
 namespace cradle {
 
 LawDeviation WallComparison::deviation(const QString &headline, const QString &body,
-                                       const WallHit &hit, const std::vector<int> &circles,
-                                       Suspect suspect, bool isPosition) const
+                                       const WallHit &hit, const Whose &whose, Suspect suspect,
+                                       bool isPosition) const
 {
-    const QString names = circleNames(circles, m_ground.flights.size());
     QString message = headline + QStringLiteral("\n\n") + body;
-    message.replace(QLatin1String("%who"), names);
-    return {Aspect::Walls,
-            message,
-            {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition},
-            suspect};
+    message.replace(QLatin1String("%who"), circleNames(whose.circles, m_ground.flights.size()));
+    message.replace(QLatin1String("%walls"), namesOf(whose.walls));
+    return {.aspect = Aspect::Walls,
+            .message = message,
+            .moment = {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition},
+            .suspect = suspect,
+            .family = headline}; // at fewer walls it is still the same
 }
 
-QString WallComparison::namesOf(const std::set<Wall> &walls)
+std::set<Wall> WallComparison::allOfThem() const
 {
+    std::set<Wall> walls;
+    for (const WallHit &hit : m_right.hits) {
+        if (hit.turned)
+            walls.insert(hit.wall);
+    }
+    return walls;
+}
+
+QString WallComparison::withE(const WallHit &hit) const
+{
+    return rebounds() ? WallText::tr("Here e is %1. ").arg(brief(hit.restitution)) : QString();
+}
+
+QString WallComparison::namesOf(const std::set<Wall> &walls) const
+{
+    return wallNames(walls, allOfThem());
+}
+
+QString wallNames(const std::set<Wall> &walls, const std::set<Wall> &all)
+{
+    if (walls.size() > 1 && std::includes(walls.begin(), walls.end(), all.begin(), all.end()))
+        return WallText::tr("walls", "behind: at the");
     QStringList names;
     for (const Wall wall : walls)
         names.append(motion::wallName(wall));
-    return spokenList(names);
-}
-
-QString WallComparison::inBrackets(const std::set<Wall> &walls)
-{
-    return WallText::tr(" (%1)", "walls").arg(namesOf(walls));
+    if (names.size() < 2)
+        return names.join(QString());
+    const QString last = names.takeLast();
+    //: "left wall, floor" and "ceiling"
+    return WallText::tr("%1 and %2", "walls").arg(spokenList(names), last);
 }
 
 } // namespace cradle

@@ -15,6 +15,9 @@ struct WallText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
 
+/// Behind "at the": "floor", "left wall and floor"; "walls" where they are \p all that count.
+[[nodiscard]] QString wallNames(const std::set<Wall> &walls, const std::set<Wall> &all);
+
 /// The walls of a program beside those of the reference.
 class WallComparison
 {
@@ -27,18 +30,43 @@ public:
     }
 
 protected:
+    /// Of whom something is said.
+    struct Whose {
+        std::vector<int> circles{}; ///< from 0, in order
+        std::set<Wall> walls{};
+    };
+    /// \param headline  with %who for the circles and %walls for the walls
     [[nodiscard]] LawDeviation deviation(const QString &headline, const QString &body,
-                                         const WallHit &hit, const std::vector<int> &circles,
+                                         const WallHit &hit, const Whose &whose,
                                          Suspect suspect = Suspect::Answer,
                                          bool isPosition = false) const;
-    static QString namesOf(const std::set<Wall> &walls);
-    /// Their names behind a headline.
-    static QString inBrackets(const std::set<Wall> &walls);
+    /// Behind "at the": "floor", "left wall and floor"; "walls" where it is all that turn circles.
+    [[nodiscard]] QString namesOf(const std::set<Wall> &walls) const;
+    /// Of what hits \p is is true; it gets their numbers.
+    template <class Is>
+    [[nodiscard]] Whose whose(Is is) const
+    {
+        std::set<int> circles;
+        Whose found;
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            if (!is(i))
+                continue;
+            circles.insert(m_own.hits[i].circle);
+            found.walls.insert(m_own.hits[i].wall);
+        }
+        found.circles.assign(circles.begin(), circles.end());
+        return found;
+    }
 
     /// The hit of the reference in the same stage.
     [[nodiscard]] const WallHit &rightOf(std::size_t i) const { return m_right.hits[i]; }
+    /// The walls at which the reference turns circles: in some labs there is only a floor.
+    [[nodiscard]] std::set<Wall> allOfThem() const;
     /// e is a word of the steps that ask for it.
     [[nodiscard]] bool rebounds() const { return m_ground.walls.restitutions.size() > 1; }
+
+    /// "Here e is 0.5. ", where e is a word of the step.
+    [[nodiscard]] QString withE(const WallHit &hit) const;
 
     const MeasuredWalls &m_own;
     const MeasuredWalls &m_right;

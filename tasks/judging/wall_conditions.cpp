@@ -3,7 +3,7 @@
 #include "tasks/judging/condition_comparison.h"
 
 #include "tasks/checks/figures.h"
-#include "tasks/checks/motion.h"
+#include "tasks/judging/wall_comparison.h"
 
 namespace cradle {
 
@@ -29,7 +29,7 @@ public:
         sayWalls(
             mixed(wallSeries([](const WallOccasion &one) { return !one.isSlow || one.hit.turned; },
                              [&](const WallHit &hit, const WallHit &) { return isAnswered(hit); })),
-            ConditionText::tr("The walls turn %who round only %1"),
+            ConditionText::tr("Hits at the %walls turn %who round only %1"),
             [](const LawDeviation &found) { return found.suspect != Suspect::Formula; });
         // What falls in the step of a slow one blurs its answer.
         sayWalls(mixed(wallSeries(
@@ -37,7 +37,7 @@ public:
                      [&](const WallHit &hit, const WallHit &right) {
                          return isRightAnswer(hit, right);
                      })),
-                 ConditionText::tr("Hits of %who at the walls come out right only %1"),
+                 ConditionText::tr("Hits of %who at the %walls come out right only %1"),
                  [](const LawDeviation &found) { return found.suspect == Suspect::Formula; });
         return std::move(m_said);
     }
@@ -47,15 +47,19 @@ private:
     /// another condition may have come true.
     [[nodiscard]] bool isAnswered(const WallHit &hit) const
     {
-        const auto isFar = [](const WallHit &one) { return one.before < -1.3 * one.radius; };
         const double blur = 0.1 * std::abs(hit.travel);
         std::optional<double> inTime;
+        bool isAtRim = true;
         for (const WallHit &other : m_own.walls().hits) {
             if (other.circle == hit.circle && other.wall == hit.wall && other.turned
-                && !isFar(other) && std::abs(other.travel - hit.travel) < blur)
+                && !other.isFar() && std::abs(other.travel - hit.travel) < blur)
                 inTime = std::min(inTime.value_or(other.reached), other.reached);
+            if (other.circle == hit.circle && other.wall == hit.wall && other.turned)
+                isAtRim = isAtRim && other.fits(other.radius);
         }
-        return (hit.turned || hit.held) && !isFar(hit)
+        if (isAtRim)
+            inTime = hit.radius;
+        return (hit.turned || hit.held) && !hit.isFar()
                && (!inTime
                    || hit.before > std::min(*inTime, hit.radius) - 1.5 * std::abs(hit.travel));
     }
@@ -97,12 +101,11 @@ private:
             const Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body;
             const Vec2 n = outwardNormal(hit.wall);
             const double room = hit.stage.preset.halfWidth - c.radius - dot(n, c.position);
-            if (hit.restitution == e)
-                all.push_back({hit,
-                               {.time = static_cast<double>(hit.step) * hit.stage.preset.timestep,
-                                .place = c.position + room * n,
-                                .speed = dot(c.velocity, n)},
-                               isSlow});
+            if (hit.restitution != e)
+                return;
+            all.push_back(
+                {hit, {.time = room / dot(c.velocity, n), .place = c.position + room * n}, isSlow});
+            all.back().when.comesWith(c.velocity, n);
         };
         for (const WallHit &hit : walls.hits)
             add(hit, false);
@@ -111,25 +114,49 @@ private:
         return all;
     }
 
-    /// Without those of circles that are always right; empty where it is only the wall that counts.
+    /// Without those of circles and walls that are always right; empty where it is only these that
+    /// count.
     [[nodiscard]] static Series<WallOccasion> mixed(const Series<WallOccasion> &series)
     {
-        const auto circles =
-            series.wrongCircles([](const WallOccasion &seen) { return seen.hit.circle; });
+        std::set<std::pair<int, Wall>> wrong;
         bool isMixed = false;
-        for (const int circle : circles) {
-            for (const Wall wall : allWalls) {
-                const auto some = series.those([&](const WallOccasion &seen) {
-                    return seen.hit.circle == circle && seen.hit.wall == wall;
-                });
-                const int right = rightOnes(some.when);
-                isMixed |= right > 0 && right < static_cast<int>(some.when.size());
-            }
+        for (std::size_t i = 0; i < series.all.size(); ++i) {
+            const WallHit &hit = series.all[i].own->hit;
+            if (!series.when[i].isRight)
+                wrong.insert({hit.circle, hit.wall});
         }
-        return series.those([&](const WallOccasion &seen) {
-            return isMixed
-                   && std::find(circles.begin(), circles.end(), seen.hit.circle) != circles.end();
-        });
+        const auto isOfWrong = [&](const WallOccasion &seen) {
+            return wrong.contains({seen.hit.circle, seen.hit.wall});
+        };
+        for (const auto &[circle, wall] : wrong) {
+            const auto some = series.those([&, c = circle, w = wall](const WallOccasion &seen) {
+                return seen.hit.circle == c && seen.hit.wall == w;
+            });
+            isMixed |= rightOnes(some.when) > 0;
+        }
+        return isMixed ? series.those(isOfWrong) : Series<WallOccasion>{};
+    }
+
+    /// The walls of those that do not come out right.
+    [[nodiscard]] static std::set<Wall> wrongWalls(const Series<WallOccasion> &series)
+    {
+        std::set<Wall> walls;
+        for (std::size_t i = 0; i < series.all.size(); ++i) {
+            if (!series.when[i].isRight)
+                walls.insert(series.all[i].own->hit.wall);
+        }
+        return walls;
+    }
+
+    /// The walls at which the reference turns circles.
+    [[nodiscard]] std::set<Wall> rightWalls() const
+    {
+        std::set<Wall> walls;
+        for (const WallHit &hit : m_right.walls().hits) {
+            if (hit.turned)
+                walls.insert(hit.wall);
+        }
+        return walls;
     }
 
     template <class IsReplaced>
@@ -137,9 +164,13 @@ private:
                   IsReplaced isReplaced)
     {
         const auto condition = conditionOf(series.when);
-        // Where nothing divides them, what was found tells more.
+        // Where nothing divides them, what was found tells more, if it is true of all.
+        const bool isDenied = std::any_of(
+            m_said.deviations.begin(), m_said.deviations.end(),
+            [](const LawDeviation &found) { return found.suspect == Suspect::Omission; });
         if (!condition
-            || (condition->kind == Condition::Kind::Sometimes && !m_said.deviations.empty()))
+            || (condition->kind == Condition::Kind::Sometimes && !m_said.deviations.empty()
+                && !isDenied))
             return;
         // What hangs on the other circle is a fault of the contact.
         if (condition->kind == Condition::Kind::Setting && m_ground.pair.asked) {
@@ -147,28 +178,70 @@ private:
             return;
         }
         const auto &[own, right] = series.firstWrong();
-        const WallHit &hit = own->hit;
-        const Vec2 came =
-            hit.turned
-                ? hit.came
-                : hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.velocity;
+        QString line = headline.arg(phraseOf(*condition));
+        line.replace(QLatin1String("%walls"), wallNames(wrongWalls(series), rightWalls()));
+        QString seen = seenAt(*own, *right, own->hit.turned && !isAnswered(own->hit));
+        if (condition->kind == Condition::Kind::Sometimes
+            || condition->kind == Condition::Kind::Setting)
+            seen += rightBeside(series, own->hit);
+        say(Aspect::Walls, line + counted(Aspect::Walls, series.when) + seen, *condition,
+            series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
+            {.stage = own->hit.stage, .step = std::max(own->hit.step, right->hit.step)},
+            isReplaced);
+    }
+
+    /// With which velocity it came.
+    static Vec2 came(const WallHit &hit)
+    {
+        return hit.turned
+                   ? hit.came
+                   : hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.velocity;
+    }
+
+    /// What was seen of one that does not come out right.
+    /// \param isLate  it was turned, but not when it came
+    [[nodiscard]] static QString seenAt(const WallOccasion &own, const WallOccasion &right,
+                                        bool isLate)
+    {
+        const WallHit &hit = own.hit;
         const QString seen =
-            (hit.turned ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
-                                            "with %5 m/s and left it with %6 m/s; %7 m/s is right.")
-                        : ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
-                                            "with %5 m/s and went on past it."))
-                .arg(brief(own->when.time))
+            (isLate ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
+                                        "with %5 m/s and went on past it at first.")
+             : hit.turned
+                 ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
+                                     "with %5 m/s and left it with %6 m/s; %7 m/s is right.")
+                 : ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
+                                     "with %5 m/s and went on past it."))
+                .arg(brief(own.when.time))
                 .arg(hit.circle + 1)
-                .arg(motion::wallName(hit.wall), brief(own->when.place), brief(came));
+                .arg(motion::wallName(hit.wall), brief(own.when.place), brief(came(hit)));
+        if (!hit.turned || isLate)
+            return seen;
         const Vec2 n = outwardNormal(hit.wall);
         const Vec2 t = perpendicular(n);
         const Vec2 good =
-            -right->hit.back * dot(hit.came, n) * n + right->hit.along * dot(hit.came, t) * t;
-        say(Aspect::Walls,
-            headline.arg(phraseOf(*condition)) + counted(Aspect::Walls, series.when)
-                + (hit.turned ? seen.arg(brief(hit.left), brief(good)) : seen),
-            *condition, series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
-            {.stage = hit.stage, .step = std::max(hit.step, right->hit.step)}, isReplaced);
+            -right.hit.back * dot(hit.came, n) * n + right.hit.along * dot(hit.came, t) * t;
+        return seen.arg(brief(hit.left), brief(good));
+    }
+
+    /// One that comes out right, at the same wall if there is one, to be looked at beside \p wrong.
+    [[nodiscard]] static QString rightBeside(const Series<WallOccasion> &series,
+                                             const WallHit &wrong)
+    {
+        const WallOccasion *beside = nullptr;
+        for (std::size_t i = 0; i < series.all.size(); ++i) {
+            const WallOccasion &one = *series.all[i].own;
+            if (series.when[i].isRight
+                && (!beside || (one.hit.wall == wrong.wall && beside->hit.wall != wrong.wall)))
+                beside = &one;
+        }
+        return QLatin1Char(' ')
+               + ConditionText::tr("That at %1 s of circle %2 came out right: at the %3 at %4 m "
+                                   "with %5 m/s.")
+                     .arg(brief(beside->when.time))
+                     .arg(beside->hit.circle + 1)
+                     .arg(motion::wallName(beside->hit.wall), brief(beside->when.place),
+                          brief(came(beside->hit)));
     }
 
     std::vector<WallOccasion> m_first{}; ///< in short runs

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/wall_comparison.h"
 
+#include "tasks/checks/figures.h"
+
 #include <algorithm>
 
 namespace cradle {
@@ -24,75 +26,112 @@ public:
     }
 
 private:
-    void add(const QString &headline, const QString &body, const WallHit &hit,
-             const std::vector<int> &circles, Suspect suspect, bool isPosition = false)
+    /// Whether \p hit goes through a wall that turns that of the reference.
+    [[nodiscard]] bool isOpen(std::size_t i) const
     {
-        m_found.push_back(deviation(headline, body, hit, circles, suspect, isPosition));
+        const WallHit &hit = m_own.hits[i];
+        return !hit.missed && !hit.isAnswered() && rightOf(i).turned;
+    }
+
+    /// A hit of that circle at that wall that is answered, or not.
+    [[nodiscard]] const WallHit *hitOf(int circle, Wall wall, bool isAnswered) const
+    {
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
+            const WallHit &hit = m_own.hits[i];
+            if (hit.circle == circle && hit.wall == wall
+                && (isAnswered ? hit.isAnswered() : isOpen(i)))
+                return &hit;
+        }
+        return nullptr;
+    }
+
+    /// The walls that let a circle through: always, or at times.
+    [[nodiscard]] std::set<Wall> openTo(int circle, bool isAlways) const
+    {
+        std::set<Wall> walls;
+        for (const Wall wall : allWalls) {
+            if (hitOf(circle, wall, false) && isAlways == !hitOf(circle, wall, true))
+                walls.insert(wall);
+        }
+        return walls;
     }
 
     void findMissing()
     {
-        std::vector<std::pair<int, std::set<Wall>>> open;
-        const WallHit *first = nullptr;
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            const WallHit &hit = m_own.hits[i];
-            if (hit.missed || hit.turned || hit.held || !rightOf(i).turned)
-                continue;
-            first = first ? first : &hit;
-            if (open.empty() || open.back().first != hit.circle)
-                open.push_back({hit.circle, {}});
-            open.back().second.insert(hit.wall);
-        }
-        if (open.empty())
-            return;
-        const bool all = std::all_of(open.begin(), open.end(),
-                                     [](const auto &each) { return each.second.size() == 4; });
-        std::vector<int> circles;
-        for (const auto &[circle, walls] : open)
-            circles.push_back(circle);
-        if (all) {
-            add(WallText::tr("None of the four walls turns %who round"),
-                WallText::tr("Thrown at each of the four walls, %1 m/s fast, it goes on through "
-                             "them. After every move each circle needs its questions: is its rim "
-                             "past a wall?")
-                    .arg(brief(
-                        length(first->stage.preset.circles[static_cast<std::size_t>(first->circle)]
-                                   .body.velocity))),
-                as(*first), circles, Suspect::Omission);
-            noteMissing(circles);
-            return;
-        }
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            const auto &[circle, walls] = open[i];
-            std::vector<int> same{circle};
-            for (std::size_t j = i + 1; j < open.size(); ++j) {
-                if (open[j].second == walls)
-                    same.push_back(open[j].first);
+        for (const bool isAlways : {true, false}) {
+            std::vector<Whose> open;
+            for (const int circle : m_own.judged) {
+                const std::set<Wall> walls = openTo(circle, isAlways);
+                const auto same = std::find_if(open.begin(), open.end(),
+                                               [&](const auto &w) { return w.walls == walls; });
+                if (same != open.end())
+                    same->circles.push_back(circle);
+                else if (!walls.empty())
+                    open.push_back({{circle}, walls});
             }
-            std::erase_if(open, [&, w = walls, c = circle](const auto &each) {
-                return each.first != c && each.second == w;
-            });
-            const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
-                return h.circle == same.front() && !h.turned && !h.held && !h.missed;
-            });
-            add(WallText::tr("Not every wall holds %who: %1").arg(namesOf(open[i].second)),
-                WallText::tr(
-                    "Thrown there, the circle goes on past the wall. A square has four walls: look "
-                    "at the question that your program asks for each."),
-                as(*at), same, Suspect::Omission);
-            noteMissing(same);
+            for (const Whose &each : open) {
+                const WallHit &through = *hitOf(each.circles.front(), *each.walls.begin(), false);
+                m_found.push_back(isAlways ? always(through, each) : atTimes(through, each));
+            }
         }
     }
 
-    /// Of the fault that was found last.
-    void noteMissing(const std::vector<int> &circles)
+    /// That walls let circles through.
+    [[nodiscard]] LawDeviation always(const WallHit &hit, const Whose &whose) const
     {
-        m_found.back().family = QStringLiteral("missing");
-        m_found.back().shown = static_cast<int>(
-            std::count_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-                return std::find(circles.begin(), circles.end(), hit.circle) != circles.end()
-                       && !hit.turned && !hit.held && !hit.missed;
-            }));
+        const bool isAll = whose.walls.size() > 1 && whose.walls == allOfThem();
+        LawDeviation found =
+            isAll ? deviation(WallText::tr("No wall turns %who round"),
+                              WallText::tr("Thrown at each of them, %who went on through it; at "
+                                           "the %1 with %2 m/s. Look at what is asked after the "
+                                           "move, and whether the answer is ever yes.")
+                                  .arg(motion::wallName(hit.wall), brief(thrown(hit))),
+                              as(hit), whose, Suspect::Omission)
+                  : deviation(WallText::tr("Nothing turns %who round at the %walls"),
+                              WallText::tr("Thrown at the %1 with %2 m/s, circle %3 went on past "
+                                           "it. Look at what your program asks for it, and whether "
+                                           "the answer is ever yes.")
+                                  .arg(motion::wallName(hit.wall), brief(thrown(hit)))
+                                  .arg(hit.circle + 1),
+                              as(hit), whose, Suspect::Omission);
+        found.family = QStringLiteral("missing");
+        found.shown = shownBy(whose.circles);
+        return found;
+    }
+
+    /// That walls let circles through at times.
+    [[nodiscard]] LawDeviation atTimes(const WallHit &hit, const Whose &whose) const
+    {
+        const WallHit &turned = *hitOf(hit.circle, hit.wall, true);
+        LawDeviation found = deviation(
+            WallText::tr("Hits at the %walls turn %who round only at times"),
+            WallText::tr("Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with "
+                         "%5 m/s from %6 m it is turned round. Look at what your program asks "
+                         "besides whether the rim is past the wall and the circle moves into it.")
+                .arg(motion::wallName(hit.wall), brief(thrown(hit)), brief(start(hit)),
+                     QString::number(hit.circle + 1), brief(thrown(turned)), brief(start(turned))),
+            as(hit), whose, Suspect::Question);
+        found.family = QStringLiteral("missing");
+        found.shown = shownBy(whose.circles);
+        return found;
+    }
+
+    static const Circle &body(const WallHit &hit)
+    {
+        return hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body;
+    }
+    static Vec2 thrown(const WallHit &hit) { return body(hit).velocity; }
+    static Vec2 start(const WallHit &hit) { return body(hit).position; }
+
+    /// How many hits of these circles go through.
+    [[nodiscard]] int shownBy(const std::vector<int> &circles) const
+    {
+        int shown = 0;
+        for (std::size_t i = 0; i < m_own.hits.size(); ++i)
+            shown +=
+                isOpen(i)
+                && std::find(circles.begin(), circles.end(), m_own.hits[i].circle) != circles.end();
+        return shown;
     }
 
     /// A hit that does not come, at the step in which it should.

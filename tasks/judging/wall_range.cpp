@@ -72,8 +72,14 @@ WallHit WallRange::shoot(int circle, Wall wall, double e, int place, bool corner
 {
     WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
     hit.otherRadius = m_ground.walls.radii.low;
-    const double shares[] = {0.29, 0.62};
-    hit.stage = stageOf(hit, speedOf(circle, place), shares[place], {.corner = corner});
+    Aim aim{.corner = corner};
+    double share = 0.29;
+    if (place == 1) {
+        std::swap(hit.radius, hit.otherRadius);
+        aim = {.along = 2.4, .slant = -0.37, .others = {0.23, -0.41}};
+        share = 0.62;
+    }
+    hit.stage = stageOf(hit, speedOf(circle, place), share, aim);
     watch(hit, corner);
     if (corner && !hit.turnsBoth && passesBeside(hit))
         hit.missed = true;
@@ -84,18 +90,23 @@ bool WallRange::passesBeside(const WallHit &corner) const
 {
     const Vec2 n = outwardNormal(corner.wall);
     const Vec2 middle = 0.5 * m_ground.stage().halfWidth * (n + perpendicular(n));
+    constexpr double slants[] = {0.37, -0.37};
     return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
         if (dot(outwardNormal(wall), middle) <= 0.0)
             return false;
-        WallHit hit{.circle = corner.circle,
-                    .wall = wall,
-                    .restitution = corner.restitution,
-                    .radius = corner.radius};
-        hit.otherRadius = corner.otherRadius;
-        hit.stage = stageOf(hit, speedOf(hit.circle, 0), 0.29,
-                            {.along = dot(perpendicular(outwardNormal(wall)), middle)});
-        watch(hit);
-        return !hit.missed && !hit.turned && !hit.held;
+        // Out of the corner, too: the wall that came first has turned that part round.
+        return std::any_of(std::begin(slants), std::end(slants), [&](double slant) {
+            WallHit hit{.circle = corner.circle,
+                        .wall = wall,
+                        .restitution = corner.restitution,
+                        .radius = corner.radius};
+            hit.otherRadius = corner.otherRadius;
+            hit.stage =
+                stageOf(hit, speedOf(hit.circle, 0), 0.29,
+                        {.along = dot(perpendicular(outwardNormal(wall)), middle), .slant = slant});
+            watch(hit);
+            return !hit.missed && !hit.turned && !hit.held;
+        });
     });
 }
 
@@ -116,6 +127,18 @@ WallHit WallRange::creep(int circle, Wall wall, double e) const
     c.position +=
         (hit.stage.preset.halfWidth - c.radius - 0.4 * creeps * m_usual - way - dot(n, c.position))
         * n;
+    watch(hit);
+    return hit;
+}
+
+WallHit WallRange::comeFromMiddle(int circle, Wall wall, double e) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
+    hit.otherRadius = m_ground.walls.radii.low;
+    hit.stage = stageOf(hit, (m_falls ? 9.3 : 2.9) / flightOf(circle).way.x, 0.29, {});
+    Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
+    const Vec2 n = outwardNormal(wall);
+    c.position += (0.5 - dot(n, c.position)) * n;
     watch(hit);
     return hit;
 }
@@ -148,11 +171,12 @@ Stage WallRange::stageOf(const WallHit &hit, double speed, double share, const A
     preset.timestep = m_h;
     const Vec2 n = outwardNormal(hit.wall);
     const Vec2 t = perpendicular(n);
-    const double along = aim.corner ? speed : 0.37 * speed;
+    const double along = aim.corner ? speed : aim.slant * speed;
     // Far enough away for a program that takes the diameter.
     const double step = speed * flightOf(hit.circle).way.x * m_h;
-    const double room =
-        aim.isNear ? hit.radius + (2.3 + share) * step : 2.4 * hit.radius + (0.3 + share) * step;
+    const double room = aim.isNear
+                            ? hit.radius + (2.3 + share) * step
+                            : 2.4 * std::max(hit.radius, hit.otherRadius) + (0.3 + share) * step;
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
         Circle &c = preset.circles[i].body;
         if (static_cast<int>(i) == hit.circle) {
@@ -167,7 +191,7 @@ Stage WallRange::stageOf(const WallHit &hit, double speed, double share, const A
             const double out = 0.4 + 0.9 * static_cast<double>(i);
             c.position = aim.setting == 0 ? out * t - 0.6 * n : -out * t - 1.7 * n;
             const Flight &flight = flightOf(static_cast<int>(i));
-            c.velocity = Vec2{0.31, 0.47} / std::max(1.0, flight.way.x);
+            c.velocity = aim.others / std::max(1.0, flight.way.x);
         }
     }
     return {preset, true};

@@ -21,8 +21,12 @@ public:
 
     [[nodiscard]] const Flight &flightOf(int circle) const;
 
-    /// \param place  which of some places and speeds, from 0
+    /// \param place  which of two places, speeds, ways along the wall, and sizes: of the first the
+    ///               circle is the larger one, of the second the other, where radii are varied
     [[nodiscard]] WallHit shoot(int circle, Wall wall, double e, int place, bool corner) const;
+
+    /// From the middle, for circles that are turned as soon as they are shot from near the wall.
+    [[nodiscard]] WallHit comeFromMiddle(int circle, Wall wall, double e) const;
 
     /// So slowly that a program may take it for rest, from near the wall.
     [[nodiscard]] WallHit creep(int circle, Wall wall, double e) const;
@@ -48,10 +52,12 @@ private:
     /// Of the circle that is shot: another than that of the others, where radii are varied.
     [[nodiscard]] double largeRadius() const;
 
-    /// Where a shot comes to its wall, and where the other circles are meanwhile.
+    /// How a shot comes to its wall, and where the other circles are meanwhile.
     struct Aim {
-        double along = -0.7; ///< from the middle of the wall, m
-        int setting = 0;     ///< of the others: one of two
+        double along = -0.7;     ///< from the middle of the wall, m
+        double slant = 0.37;     ///< speed along the wall, of that towards it
+        Vec2 others{0.31, 0.47}; ///< velocity of the other circles, m/s
+        int setting = 0;         ///< of the others: one of two
         bool corner = false;
         bool isNear = false; ///< it is there in the third step
     };

@@ -23,7 +23,7 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> find() const
     {
-        std::vector<std::pair<QString, std::vector<int>>> said;
+        std::vector<std::pair<QString, Whose>> said;
         std::vector<std::pair<QString, const WallHit *>> bodies;
         for (const int circle : m_own.judged) {
             if (wrongWalls(circle).empty())
@@ -35,36 +35,38 @@ public:
                 continue; // the reference does not turn at the rim either
             if (at->step == 1 && brief(at->came) == brief(at->left))
                 continue; // put elsewhere, not turned
-            const auto [headline, body] = reachWords(*at, circle);
+            const WallHit &telling = tellingOf(*at);
+            const auto [headline, body] = reachWords(telling, circle);
+            const std::set<Wall> walls = wrongWalls(circle);
             const auto same =
-                std::find_if(said.begin(), said.end(),
-                             [&, h = headline](const auto &s) { return s.first == h; });
+                std::find_if(said.begin(), said.end(), [&, h = headline](const auto &s) {
+                    return s.first == h && s.second.walls == walls;
+                });
             if (same != said.end()) {
-                same->second.push_back(circle);
+                same->second.circles.push_back(circle);
                 continue;
             }
-            said.push_back({headline, {circle}});
-            bodies.push_back({body, &*at});
+            said.push_back({headline, {{circle}, walls}});
+            bodies.push_back({body, &telling});
         }
         std::vector<LawDeviation> found;
         for (std::size_t i = 0; i < said.size(); ++i) {
             found.push_back(deviation(said[i].first, bodies[i].first, *bodies[i].second,
                                       said[i].second, Suspect::Reach));
             // A length that is right at some walls and wrong at others has another name.
-            found.back().family = bodies[i].second->step == 1 && aheadWords(said[i].second.front())
-                                      ? QStringLiteral("ahead")
-                                      : QStringLiteral("reach");
-            found.back().shown = shownBy(said[i].second);
-            found.back().isEverywhere = wrongWalls(said[i].second.front()).size() > 3;
+            const std::vector<int> &circles = said[i].second.circles;
+            found.back().family =
+                looksAhead(circles.front()) ? QStringLiteral("ahead") : QStringLiteral("reach");
+            found.back().shown = shownBy(circles);
+            found.back().isEverywhere = wrongWalls(circles.front()).size() > 3;
         }
         return found;
     }
 
     [[nodiscard]] LawDeviation ofSlow(const WallHit &hit, const std::vector<int> &circles) const
     {
-        LawDeviation found =
-            deviation(WallText::tr("The walls turn %who round too early") + inBrackets({hit.wall}),
-                      between(hit), hit, circles, Suspect::Reach);
+        LawDeviation found = deviation(WallText::tr("Hits at the %walls turn %who round too early"),
+                                       between(hit), hit, {circles, {hit.wall}}, Suspect::Reach);
         found.family = QStringLiteral("reach");
         found.isEverywhere = true;
         return found;
@@ -82,7 +84,28 @@ private:
     /// its velocity has not been turned.
     [[nodiscard]] static bool isElsewhere(const WallHit &hit)
     {
-        return (hit.turned || (hit.held && !hit.isLeap())) && !hit.fits(hit.radius);
+        return (hit.turned || (hit.held && !hit.isLeap())) && !hit.isLost && !hit.fits(hit.radius);
+    }
+
+    /// In place of \p hit, one that shows where the wall turns circles: who is turned before it
+    /// has flown a step does not.
+    [[nodiscard]] const WallHit &tellingOf(const WallHit &hit) const
+    {
+        const auto at = std::find_if(m_own.middle.begin(), m_own.middle.end(), [&](const auto &h) {
+            return h.circle == hit.circle && h.wall == hit.wall;
+        });
+        const bool isTelling = hit.step == 1 && at != m_own.middle.end() && at->turned
+                               && at->step > 1 && isMirrored(*at) && !looksAhead(hit.circle);
+        return isTelling ? *at : hit;
+    }
+
+    [[nodiscard]] bool looksAhead(int circle) const
+    {
+        return std::any_of(m_own.hits.begin(), m_own.hits.end(),
+                           [&](const auto &h) {
+                               return h.circle == circle && h.step == 1 && isElsewhere(h);
+                           })
+               && aheadWords(circle);
     }
 
     /// How many hits of these circles do not come where their rims are.
@@ -110,15 +133,9 @@ private:
     [[nodiscard]] bool fitsAll(const Reach &reach, int circle, const std::set<Wall> &walls) const
     {
         return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-            return hit.circle != circle || !(hit.turned || hit.held) || !walls.contains(hit.wall)
-                   || hit.fits(reach.distance(hit));
+            return hit.circle != circle || !(hit.turned || hit.held) || hit.isLost
+                   || !walls.contains(hit.wall) || hit.fits(reach.distance(hit));
         });
-    }
-
-    /// What is so at some walls is not said of all.
-    [[nodiscard]] static QString atWalls(const QString &headline, const std::set<Wall> &walls)
-    {
-        return walls.size() > 3 ? headline : headline + inBrackets(walls);
     }
 
     static std::vector<Reach> reaches()
@@ -127,31 +144,41 @@ private:
             return [length](const WallHit &) { return length; };
         };
         return {
-            {fixed(0.0), WallText::tr("At the walls the centre of %who is asked for, not the rim"),
+            {fixed(0.0), WallText::tr("At the %walls the centre of %who is asked for, not the rim"),
              WallText::tr("Circle %3 turns only when its centre is past the wall, with its rim one "
                           "radius, %1 m, outside. A wall meets a body where the body ends.")},
             {[](const WallHit &hit) { return hit.otherRadius; },
-             WallText::tr("At the walls the radius of another circle stands for that of %who"),
+             WallText::tr("At the %walls the radius of another circle stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
                           "from the wall: "
                           "the radius of the other circle in that scene. Look at whose radius "
                           "stands in the questions.")},
+            {[](const WallHit &hit) { return std::max(hit.radius, hit.otherRadius); },
+             WallText::tr("At the %walls the larger radius stands for that of %who"),
+             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
+                          "from the wall: the radius of the other circle in that scene, which is "
+                          "larger. Each circle has its own.")},
+            {[](const WallHit &hit) { return std::min(hit.radius, hit.otherRadius); },
+             WallText::tr("At the %walls the smaller radius stands for that of %who"),
+             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
+                          "from the wall: the radius of the other circle in that scene, which is "
+                          "smaller. Each circle has its own.")},
             {[](const WallHit &hit) { return 0.5 * hit.radius; },
-             WallText::tr("The walls turn %who round too late"),
+             WallText::tr("Hits at the %walls turn %who round too late"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
                           "from the wall: "
                           "half of that. From the centre to the rim it is the whole radius.")},
-            {fixed(0.2), WallText::tr("At the walls a number stands for the radius of %who"),
+            {fixed(0.2), WallText::tr("At the %walls a number stands for the radius of %who"),
              WallText::tr("The radius of circle %3 is %1 m in that scene, and yet it turns when "
                           "its centre is "
                           "0.2 m from the wall. Take the radius that the circle has.")},
             {[](const WallHit &hit) { return 2.0 * hit.radius; },
-             WallText::tr("The walls turn %who round too early"),
+             WallText::tr("Hits at the %walls turn %who round too early"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
                           "from the wall: "
                           "twice the radius. From the centre to the rim it is one.")},
             {[](const WallHit &hit) { return -hit.radius; },
-             WallText::tr("The walls turn %who round at the far side of the rim"),
+             WallText::tr("Hits at the %walls turn %who round at the far side of the rim"),
              WallText::tr(
                  "Circle %3 turns when its centre is one radius, %1 m, past the wall. Of its two "
                  "ends the near one touches first: look at the sign in front of the "
@@ -162,16 +189,6 @@ private:
     {
         if (const auto ahead = hit.step == 1 ? aheadWords(circle) : std::nullopt)
             return *ahead;
-        // Turned before it had flown a step: where it would have turned else is not seen.
-        if (hit.step == 1 && wrongWalls(circle).size() == 1 && isMirrored(hit))
-            return {WallText::tr("The %1 does not turn %who where it stands")
-                        .arg(motion::wallName(hit.wall)),
-                    WallText::tr("Thrown towards it, circle %1 was turned round in the first step, "
-                                 "from %2 to %3 m/s, with its centre still %4 m away from the "
-                                 "wall; its radius is %5 m. Look at the place that your program "
-                                 "takes for this wall.")
-                        .arg(QString::number(hit.circle + 1), brief(hit.came), brief(hit.left),
-                             brief(hit.before), brief(hit.radius))};
         if (hit.step == 1)
             return {WallText::tr("Something away from every wall changes the velocity of %who"),
                     WallText::tr("Thrown towards the %1, circle %6 changed its velocity from %2 to "
@@ -190,9 +207,9 @@ private:
             body.replace(QLatin1String("%1"), brief(hit.radius));
             body.replace(QLatin1String("%2"), brief(fitting.front().distance(hit)));
             body.replace(QLatin1String("%3"), QString::number(hit.circle + 1));
-            return {atWalls(fitting.front().headline, walls), body};
+            return {fitting.front().headline, body};
         }
-        return {atWalls(lateOrEarly(circle), walls), between(hit)};
+        return {lateOrEarly(circle), between(hit)};
     }
 
     /// That a circle turns where its velocity, without the timestep, takes its rim to the wall.
@@ -215,7 +232,7 @@ private:
             return brief(dot(hit.came, outwardNormal(hit.wall)));
         };
         return std::pair(
-            WallText::tr("The walls turn %who round a whole second too early"),
+            WallText::tr("Hits at the %walls turn %who round a whole second too early"),
             WallText::tr("Circle %1 came to the %2 with %3 m/s and turned when its rim was between "
                          "%4 and %5 m from it; with %6 m/s between %7 and %8 m. That is the way of "
                          "a second: a step takes it v Δt further, not v.")
@@ -238,14 +255,14 @@ private:
         bool early = false;
         bool late = false;
         for (const WallHit &hit : m_own.hits) {
-            if (hit.circle != circle || !(hit.turned || hit.held) || hit.fits(hit.radius))
+            if (hit.circle != circle || !isElsewhere(hit))
                 continue;
             (hit.reached > hit.radius ? early : late) = true;
         }
         if (early && late)
-            return WallText::tr("The walls turn %who round at the wrong place");
-        return early ? WallText::tr("The walls turn %who round too early")
-                     : WallText::tr("The walls turn %who round too late");
+            return WallText::tr("Hits at the %walls turn %who round at the wrong place");
+        return early ? WallText::tr("Hits at the %walls turn %who round too early")
+                     : WallText::tr("Hits at the %walls turn %who round too late");
     }
 
     /// Between which places it turned, in words without distances below zero.

@@ -88,28 +88,28 @@ private:
         WallHit hit = m_own.slow[open.front()];
         hit.step = m_right.slow[open.front()].step;
         return deviation(
-            WallText::tr("Slow hits at the walls do not turn %who round"),
+            WallText::tr("Slow hits at the %walls do not turn %who round"),
             WallText::tr("Circle %1 came to the %2 with %3 m/s and went on past it; with "
                          "%4 m/s it is turned round. How fast it comes does not matter: "
                          "what counts is whether its rim is past the wall, and which way "
                          "it moves.")
                 .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall), speedInto(hit),
                      speedInto(m_own.hits.front())),
-            hit, circlesOf(open), Suspect::Question);
+            hit, {circlesOf(open), {hit.wall}}, Suspect::Question);
     }
 
     [[nodiscard]] LawDeviation oddAt(const std::vector<std::size_t> &odd) const
     {
         const WallHit &hit = m_own.slow[odd.front()];
         return deviation(
-            WallText::tr("Slow hits at the walls give %who another share of the speed back"),
-            WallText::tr("With e = %1 circle %2 came to the %3 with %4 m/s and left it "
-                         "with %5 times that speed; %6 times is right. The factor is the "
-                         "same for every speed.")
-                .arg(brief(hit.restitution), QString::number(hit.circle + 1),
-                     motion::wallName(hit.wall), brief(dot(outwardNormal(hit.wall), hit.came)),
-                     brief(hit.back), brief(m_right.slow[odd.front()].back)),
-            hit, circlesOf(odd), Suspect::Formula);
+            WallText::tr("Slow hits at the %walls give %who another share of the speed back"),
+            withE(hit)
+                + WallText::tr("Circle %1 came to the %2 with %3 m/s and left it with %4 times "
+                               "that speed; %5 times is right, however slow it is.")
+                      .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall),
+                           brief(dot(outwardNormal(hit.wall), hit.came)), brief(hit.back),
+                           brief(m_right.slow[odd.front()].back)),
+            hit, {circlesOf(odd), {hit.wall}}, Suspect::Formula);
     }
 };
 

@@ -133,6 +133,10 @@ void WallRange::lookAtOthers(WallHit &hit, const std::vector<Circle> &before,
             continue;
         const Motion free = flight.after(was, m_h);
         const Circle &now = probe.circle(other);
+        if (!hit.disturbs) {
+            hit.otherFree = free;
+            hit.otherWas = {now.position, now.velocity};
+        }
         hit.kicks |= length(now.velocity - free.velocity) > 1e-6;
         hit.disturbs |= hit.kicks || length(now.position - free.position) > 1e-6;
     }

@@ -36,10 +36,10 @@ public:
     }
 
 private:
-    void add(const QString &headline, const QString &body, const WallHit &hit,
-             const std::vector<int> &circles, Suspect suspect, bool isPosition = false)
+    void add(const QString &headline, const QString &body, const WallHit &hit, const Whose &whose,
+             Suspect suspect, bool isPosition = false)
     {
-        m_found.push_back(deviation(headline, body, hit, circles, suspect, isPosition));
+        m_found.push_back(deviation(headline, body, hit, whose, suspect, isPosition));
     }
 
     template <class Deviations>
@@ -60,40 +60,65 @@ private:
         m_isElsewhere = m_found.size() > before;
     }
 
+    /// What is wrong with the place of a hit, of all hits of which \p is is true and not of the
+    /// reference's.
+    template <class Is>
+    [[nodiscard]] Whose misplaced(Is is) const
+    {
+        return whose([&](std::size_t i) {
+            const bool isToldAlready = m_isElsewhere && m_own.hits[i].step == 1;
+            return is(m_own.hits[i]) && !is(rightOf(i)) && !isToldAlready;
+        });
+    }
+
+    [[nodiscard]] const WallHit &firstOf(const Whose &whose, bool (*is)(const WallHit &)) const
+    {
+        return *std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            return hit.circle == whose.circles.front() && whose.walls.contains(hit.wall) && is(hit);
+        });
+    }
+
     void findLeap()
     {
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            const WallHit &hit = m_own.hits[i];
-            if (!hit.isLeap() || rightOf(i).isLeap())
-                continue;
-            add(WallText::tr("A hit at a wall puts %who somewhere else"),
-                WallText::tr("At the %1 it was put %2 m away from its own path, at %3 m. Each "
-                             "circle goes back to its *own* place: look at which position it "
-                             "gets.")
-                    .arg(motion::wallName(hit.wall), brief(hit.leap), brief(hit.landed)),
-                hit, {hit.circle}, Suspect::Answer, true);
+        const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
+        const Whose whose = misplaced(leaps);
+        if (whose.circles.empty())
             return;
-        }
+        const WallHit &hit = firstOf(whose, leaps);
+        const double toOther = std::min(length(hit.landed - hit.otherFree.position),
+                                        length(hit.landed - hit.otherWas.position));
+        const bool isOther = m_own.judged.size() > 1 && toOther < nearOther;
+        add(WallText::tr("Hits at the %walls put %who somewhere else"),
+            WallText::tr("At the %1 circle %4 was put %2 m away from its own path, at %3 m.")
+                    .arg(motion::wallName(hit.wall), brief(hit.leap), brief(hit.landed))
+                    .arg(hit.circle + 1)
+                + QLatin1Char(' ')
+                + (isOther ? WallText::tr("There the other circle was: each circle goes back to "
+                                          "its *own* place.")
+                           : WallText::tr("It belongs where its rim is at the wall, or back where "
+                                          "it was before that step.")),
+            hit, whose, Suspect::Answer, true);
     }
 
     /// Put further out than it would have got by itself.
     void findPutOut()
     {
         const auto isOut = [](const WallHit &hit) {
-            return hit.turned && hit.after < hit.reached - 1e-6 && hit.after < hit.radius - 1e-6;
+            return hit.turned && !hit.isLeap() && hit.after < hit.reached - 1e-6
+                   && hit.after < hit.radius - 1e-6;
         };
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            const WallHit &hit = m_own.hits[i];
-            if (!isOut(hit) || hit.isLeap() || isOut(rightOf(i)))
-                continue;
-            add(WallText::tr("A hit puts %who further out (%1)").arg(motion::wallName(hit.wall)),
-                WallText::tr("Its centre would have come to %1 m from the wall and was put %2 m "
-                             "from it; its radius is %3 m. Put it where its rim is at the wall, or "
-                             "back where it came from.")
-                    .arg(brief(hit.reached), brief(hit.after), brief(hit.radius)),
-                hit, {hit.circle}, Suspect::Answer, true);
+        const Whose whose = misplaced(isOut);
+        if (whose.circles.empty())
             return;
-        }
+        const WallHit &hit = firstOf(whose, isOut);
+        add(WallText::tr("Hits at the %walls put %who further out"),
+            WallText::tr("At the %1 the centre of circle %5 would have come to %2 m from the wall "
+                         "and was put %3 m from it; its radius is %4 m. Put it where its rim is at "
+                         "the wall, or back where it came from.")
+                .arg(motion::wallName(hit.wall), brief(hit.reached), brief(hit.after),
+                     brief(hit.radius))
+                .arg(hit.circle + 1),
+            hit, whose, Suspect::Answer, true);
     }
 
     /// A hit that changes the velocity of another circle, too, of which nothing else is told.
@@ -104,13 +129,12 @@ private:
         if (at == m_own.hits.end())
             return;
         add(WallText::tr("Beside a wall the velocity of both circles changes at once"),
-            WallText::tr(
-                "When circle %1 was %2 m from the %3 its velocity changed, and in the same "
-                "step that of the other, far from it and from every wall. Look at which "
-                "lines run for both, and at what they ask.")
+            WallText::tr("When circle %1 was %2 m from the %3 its velocity changed, and in the "
+                         "same step that of the other, far from it and from every wall. A wall "
+                         "turns the circle that touches it, and no other.")
                 .arg(QString::number(at->circle + 1), brief(at->before),
                      motion::wallName(at->wall)),
-            *at, {at->circle}, Suspect::Question);
+            *at, {{at->circle}, {at->wall}}, Suspect::Question);
     }
 
     /// Put further in than any way back puts it.
@@ -118,21 +142,21 @@ private:
     {
         const auto isLifted = [](const WallHit &hit) {
             const double travel = std::max(1.0, std::abs(hit.back)) * std::abs(hit.travel);
-            return hit.turned && hit.after > std::max(hit.before, hit.radius) + travel + 1e-3;
+            return hit.turned && !hit.isLeap()
+                   && hit.after > std::max(hit.before, hit.radius) + travel + 1e-3;
         };
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            const WallHit &hit = m_own.hits[i];
-            if (!isLifted(hit) || hit.isLeap() || isLifted(rightOf(i)))
-                continue;
-            add(WallText::tr("A hit puts %who away from the wall (%1)")
-                    .arg(motion::wallName(hit.wall)),
-                WallText::tr("Its centre was %1 m from the wall before that step and was put %2 m "
-                             "from it; its radius is %3 m, so that there is a gap. Put it where "
-                             "its rim is at the wall, or back where it came from.")
-                    .arg(brief(hit.before), brief(hit.after), brief(hit.radius)),
-                hit, {hit.circle}, Suspect::Answer, true);
+        const Whose whose = misplaced(isLifted);
+        if (whose.circles.empty())
             return;
-        }
+        const WallHit &hit = firstOf(whose, isLifted);
+        add(WallText::tr("Hits at the %walls put %who too far in"),
+            WallText::tr("At the %1 the centre of circle %5 was %2 m from the wall before that "
+                         "step and was put %3 m from it; its radius is %4 m, so that there is a "
+                         "gap. Put it where its rim is at the wall, or back where it came from.")
+                .arg(motion::wallName(hit.wall), brief(hit.before), brief(hit.after),
+                     brief(hit.radius))
+                .arg(hit.circle + 1),
+            hit, whose, Suspect::Answer, true);
     }
 
     void findDisturbed()
@@ -146,12 +170,15 @@ private:
         if (at == m_own.hits.end() || std::any_of(m_own.hits.begin(), m_own.hits.end(), leaps)
             || std::any_of(m_right.hits.begin(), m_right.hits.end(), disturbs))
             return;
-        add(WallText::tr("A hit of one circle at a wall also stops the other on its way"),
-            WallText::tr("While %1 was answered by the %2, the other circle, far from every wall, "
-                         "did not go on freely. Each circle is put back on its own: look at whose "
-                         "positions your wall changes.")
-                .arg(circleNames({at->circle}, 0), motion::wallName(at->wall)),
-            *at, {at->circle}, Suspect::Answer, true);
+        add(WallText::tr("A hit of one circle at a wall also changes the way of the other"),
+            WallText::tr("In the step in which circle %1 was answered by the %2, the other circle, "
+                         "far from every wall, did not go on freely: its place is %3 m and its "
+                         "velocity %4 m/s off. A wall acts on the circle that touches it, and on "
+                         "no other.")
+                .arg(QString::number(at->circle + 1), motion::wallName(at->wall),
+                     brief(at->otherWas.position - at->otherFree.position),
+                     brief(at->otherWas.velocity - at->otherFree.velocity)),
+            *at, {{at->circle}, {at->wall}}, Suspect::Answer, true);
     }
 
     void findCorners()
@@ -161,19 +188,35 @@ private:
             return;
         for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
             const WallHit &hit = m_own.corners[i];
-            const WallHit &right = m_right.corners[i];
-            if (!right.turnsBoth || hit.missed || !hit.turned || hit.turnsBoth
-                || !turnsOnePart(hit))
+            if (!losesPart(i))
                 continue;
             add(WallText::tr("In a corner only one part of the velocity of %who turns round"),
-                WallText::tr("It came with %1 m/s and left with %2 m/s. Both walls are hit in "
-                             "the same step, and the "
-                             "second must go on from what the first has made, not from the "
-                             "velocity before.")
-                    .arg(brief(hit.came), brief(hit.left)),
-                hit, {hit.circle}, Suspect::Answer);
+                WallText::tr("Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit "
+                             "in the same step, and each must turn its own part, whichever comes "
+                             "first.")
+                    .arg(brief(hit.came), brief(hit.left))
+                    .arg(hit.circle + 1),
+                hit, {cornered(), {}}, Suspect::Answer);
             return;
         }
+    }
+
+    /// Whether hit \p i in a corner turns one part alone where the reference turns both.
+    [[nodiscard]] bool losesPart(std::size_t i) const
+    {
+        const WallHit &hit = m_own.corners[i];
+        return m_right.corners[i].turnsBoth && !hit.missed && hit.turned && !hit.turnsBoth
+               && turnsOnePart(hit);
+    }
+
+    [[nodiscard]] std::vector<int> cornered() const
+    {
+        std::set<int> circles;
+        for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
+            if (losesPart(i))
+                circles.insert(m_own.corners[i].circle);
+        }
+        return {circles.begin(), circles.end()};
     }
 
     /// Whether one part of the velocity was turned round, and the other goes on.
@@ -192,13 +235,13 @@ private:
             const WallHit &hit = m_own.hits[i];
             if (hit.again == 0 || rightOf(i).again > 0)
                 continue;
-            addAgain(hit.circle, hit.stage, hit.step);
+            addAgain(hit.circle, hit.wall, hit.stage, hit.step);
             return;
         }
         for (std::size_t i = 0; i < m_own.drops.size(); ++i) {
             const Drop &drop = m_own.drops[i];
             if (drop.again > 0 && !rightTurns) {
-                addAgain(drop.circle, drop.stage, drop.step);
+                addAgain(drop.circle, drop.wall, drop.stage, drop.step);
                 return;
             }
             // A floor that gives all back is not asked to hold what lies on it.
@@ -211,8 +254,8 @@ private:
                 m_found.push_back(
                     {Aspect::Course,
                      WallText::tr("The floor does not hold circle %1 up\n\nAfter %2 s near the "
-                                  "floor its rim is %3 m below it: it turns, but nothing puts it "
-                                  "back, and gravity pulls it deeper in every step. Put the circle "
+                                  "floor its rim is %3 m below it, and deeper than before: the "
+                                  "floor turns it, and yet gravity pulls it on. Put the circle "
                                   "back where it touches.")
                          .arg(drop.circle + 1)
                          .arg(brief(static_cast<double>(drop.step) * drop.stage.preset.timestep),
@@ -223,21 +266,24 @@ private:
         }
     }
 
-    void addAgain(int circle, const Stage &stage, qint64 step)
+    void addAgain(int circle, Wall wall, const Stage &stage, qint64 step)
     {
         // Who turns at another place than the rim may be outside still for that reason alone.
         if (m_isElsewhere)
             return;
         m_found.push_back(
             {Aspect::Walls,
-             WallText::tr("Circle %1 is turned round again while it leaves the wall\n\nIts rim was "
-                          "still outside, it moved inward already, and it was turned into the wall "
-                          "once more: in a low drop or after a slow hit. Put it back inside, or "
-                          "ask which way it moves before you turn it.")
-                 .arg(circle + 1),
+             WallText::tr("Circle %1 is turned round again while it leaves a wall\n\nIt was on its "
+                          "way back from the %2 and was turned into it once more. Put it back "
+                          "inside, or ask which way it moves before you turn it.")
+                 .arg(circle + 1)
+                 .arg(motion::wallName(wall)),
              {stage, step, {circle}, false},
              Suspect::Question});
     }
+
+    /// Two that stand at one place, m: more than one of them goes in a step.
+    static constexpr double nearOther = 0.05;
 
     std::vector<LawDeviation> m_found;
     bool m_isElsewhere = false; ///< walls turn circles at another place than the rim
