@@ -105,14 +105,15 @@ std::optional<Fault> Turn::faultAt(Wall wall) const
     if (into >= -resting && into + std::max(pull, 0.0) <= resting
         && std::abs(after) <= std::abs(into) + std::abs(pull) + slack)
         return std::nullopt;
-    const auto steady = motion::steadyFault(o, circle, gravity, n);
-    if (std::max(into, into + pull) <= slack)
-        return steady ? steady : againAt(wall);
+    const bool isLeaving = std::max(into, into + pull) <= slack;
     const double first = -restitution * into + pull;
     const double last = -restitution * (into + pull);
-    if (after >= std::min(first, last) - slack && after <= std::max(first, last) + slack)
+    if (!isLeaving && after >= std::min(first, last) - slack
+        && after <= std::max(first, last) + slack)
         return std::nullopt;
-    return steady ? steady : wrongAt(wall, first, last);
+    if (auto steady = motion::steadyFault(o, circle, gravity, n))
+        return steady;
+    return isLeaving ? againAt(wall) : wrongAt(wall, first, last);
 }
 
 Fault Turn::againAt(Wall wall) const
