@@ -9,6 +9,8 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -33,6 +35,20 @@ std::vector<ProgramValue> valuesOf(const StudentScript::Pause &pause)
         add("velocity", circle.velocity);
     }
     return values;
+}
+
+/// The line that the first finding names, which is none where it knows none; without findings that
+/// of the first failed check; 0 if there is none.
+int suspectLine(const CheckReport &report)
+{
+    if (report.error)
+        return 0;
+    if (const Finding *found = report.diagnosis())
+        return found->line;
+    const auto failed =
+        std::find_if(report.checks.begin(), report.checks.end(),
+                     [](const CheckOutcome &check) { return !check.passed && check.line > 0; });
+    return failed != report.checks.end() ? failed->line : 0;
 }
 
 } // namespace
@@ -178,13 +194,8 @@ void CodeDesk::showPause(const StudentScript::Pause &pause)
 
 void CodeDesk::showReport()
 {
-    int line = 0;
-    if (const auto &report = m_workbench.check().report(); report && !report->error) {
-        for (const CheckOutcome &check : report->checks) {
-            if (line == 0 && !check.passed)
-                line = check.line;
-        }
-    }
+    const auto &report = m_workbench.check().report();
+    const int line = report ? suspectLine(*report) : 0;
     m_pane.editor().setSuspect(line);
     if (line > 0)
         m_pane.editor().revealLine(line);

@@ -197,7 +197,7 @@ void TestCodeDesk::failureMarksItsLineAndShowsTheReference()
     check();
     QVERIFY(m_open->bench.check().report());
     QVERIFY(!m_open->bench.check().report()->passed);
-    QCOMPARE(editor().suspectLine(), 6);
+    QCOMPARE(editor().suspectLine(), 5); // which the finding names; what shows it is line 6
     QCOMPARE(simulation().current(), 1); // where it first went wrong
     QTRY_VERIFY(m_open->bench.moment().ghost());
     QVERIFY(std::abs(m_open->bench.moment().ghost()->circles(1)[0].position.x - (-2.0 + 2.0 / 60.0))
