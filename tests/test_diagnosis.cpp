@@ -253,6 +253,9 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
     row("L42T3", "gravity of the Moon",
         "Gravity on circle 1 is 0.167 times as strong as it should be",
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
+    row("L42T3", "heavy ones fall faster",
+        "Gravity does not act alike on light and heavy ones (circle 1)",
+        [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (c.density / 7.8) * h"); });
     row("L42T3", "air", "Something slows circle 1 down on the way",
         [](OtherForm &f) { f.integrate += lab(" c.velocity = 0.99 * c.velocity"); });
     row("L42T4", "circle 2 put where circle 1 is", "Every step puts circle 2 where circle 1 is",
