@@ -122,6 +122,10 @@ void TestApprovedLabs::brokenLabsAreToldAsApproved()
         for (const Task &task : lab->tasks)
             all += QStringLiteral("%1 %2 %3\n").arg(task.id, task.title).arg(task.checks.size());
     }
+    for (const char *path :
+         {"S1/task.json", "a/b/c/d/e/f", "a/b/c/d/e/f/g", "../x", "a//b", ".git/x", "con",
+          "a/NUL.lua", "a b/c", "ä/ö.md", "a\\b", "a:b", "a.", " a"})
+        all += QStringLiteral("%1 %2\n").arg(u(path), faultOfLabPath(u(path)));
     compare("broken-labs.txt", all);
 }
 
@@ -182,7 +186,13 @@ void TestApprovedLabs::editsAreAsApproved()
                         .title = u("Which"),
                         .text = u("Which are right?"),
                         .answers = {u("a"), u("b"), u("c")},
-                        .chosen = {0, 2}}};
+                        .chosen = {0, 2}},
+                       {.id = u("last"),
+                        .kind = Question::Kind::One,
+                        .title = u("One"),
+                        .text = u("Which is right?"),
+                        .answers = {u("a"), u("b")},
+                        .chosen = {1}}};
     lab.take("task with questions", withTask(lab.files(), first, *form));
     form = taskForm(lab.files(), first, u("de"));
     QVERIFY(form.ok());

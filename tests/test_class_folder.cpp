@@ -79,6 +79,8 @@ void TestClassFolder::foldersAndFilesAreStudents()
     made.file("ada/lab.lua");
     made.file("bob/inner/deep/steps/l2.LUA");
     made.file("cy/anything.lua");
+    made.file("cy/.steps/L1.lua");
+    made.file("cy/__MACOSX/steps/L2.lua");
     made.file("dot.lua");
     made.file("Eve-lab.cradle-work", "no archive");
     made.file("notes.txt");
