@@ -13,6 +13,8 @@ class TestRepairOrder : public QObject
 private slots:
     void namesTellWhatIsTriedFirst_data();
     void namesTellWhatIsTriedFirst();
+    void ofTwoEqualLinesTheLaterIsMeantForTheSecond();
+    void whatIsToldComesFirst();
     void soundLinesComeLast();
     void whatIsAlikeStaysInItsOrder();
 };
@@ -24,7 +26,7 @@ std::vector<QString> inOrder(const QString &source, const QStringList &changed,
 {
     std::vector<Repair> repairs;
     for (const QString &each : changed)
-        repairs.push_back({each, 1, true});
+        repairs.push_back({each, 1, true, false});
     putInOrder(repairs, source, sound);
     std::vector<QString> sources;
     for (const Repair &each : repairs)
@@ -75,11 +77,39 @@ void TestRepairOrder::namesTellWhatIsTriedFirst()
     QCOMPARE(inOrder(source, {later, sooner}), order);
 }
 
+void TestRepairOrder::ofTwoEqualLinesTheLaterIsMeantForTheSecond()
+{
+    const auto first = [](const QString &wrong, const QString &right) {
+        std::vector<Repair> repairs{
+            {right + QLatin1Char('\n') + wrong, 1, true, false},
+            {wrong + QLatin1Char('\n') + right, 2, true, false},
+        };
+        putInOrder(repairs, wrong + QLatin1Char('\n') + wrong, {});
+        return repairs.front().line;
+    };
+    QCOMPARE(first(QStringLiteral("walls(circle1)"), QStringLiteral("walls(circle2)")), 2);
+    QCOMPARE(first(QStringLiteral("walls(circle2)"), QStringLiteral("walls(circle1)")), 1);
+    QCOMPARE(first(QStringLiteral("walls(circle1)"), QStringLiteral("move(circle1)")), 1);
+}
+
+void TestRepairOrder::whatIsToldComesFirst()
+{
+    std::vector<Repair> repairs{{QStringLiteral("x = 2"), 1, true, false},
+                                {QStringLiteral("x = 3"), 1, true, true}};
+    putInOrder(repairs, QStringLiteral("x = 1"), {1});
+    QCOMPARE(repairs.front().source, QStringLiteral("x = 3"));
+    // But not against the names.
+    repairs = {{QStringLiteral("m1 = f(c2)"), 1, true, true},
+               {QStringLiteral("m1 = g(c1)"), 1, true, false}};
+    putInOrder(repairs, QStringLiteral("m1 = f(c1)"), {});
+    QCOMPARE(repairs.front().source, QStringLiteral("m1 = g(c1)"));
+}
+
 void TestRepairOrder::soundLinesComeLast()
 {
     const QString source = QStringLiteral("x = u\ny = w");
-    std::vector<Repair> repairs{{QStringLiteral("x = -u\ny = w"), 1, true},
-                                {QStringLiteral("x = u\ny = -w"), 2, true}};
+    std::vector<Repair> repairs{{QStringLiteral("x = -u\ny = w"), 1, true, false},
+                                {QStringLiteral("x = u\ny = -w"), 2, true, false}};
     putInOrder(repairs, source, {1});
     QCOMPARE(repairs.front().line, 2);
     putInOrder(repairs, source, {2});

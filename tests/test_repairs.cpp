@@ -20,6 +20,9 @@ private slots:
     void mistakeOfTwoLinesIsUndone();
     void anotherOfTheFunctionsOrTheirValuesIsTaken_data();
     void anotherOfTheFunctionsOrTheirValuesIsTaken();
+    void lineIsMadeTheMirrorImageOfAnother_data();
+    void lineIsMadeTheMirrorImageOfAnother();
+    void whatIsForgottenIsTold();
     void likeLinesAreChangedAlike();
     void restitutionIsPutInOnlyWhereItIsKnown();
     void onlyTheseLinesAreChanged();
@@ -178,6 +181,7 @@ void TestRepairs::mistakeIsUndone_data()
     row("x = 4 * a.radius", "x = a.density * 4 * a.radius");
     row("return 4 * a.radius", "return a.density * 4 * a.radius");
     row("x = a.radius", "x = a.radius ^ 2");
+    row("x = a.radius", "x = a.radius + b.radius");
     row("if u < w then", "if u < w ^ 2 then");
     row("if u < w then", "if u + a.radius < w then");
     row("if u < w then", "if u - b.radius < w then");
@@ -296,6 +300,51 @@ void TestRepairs::anotherOfTheFunctionsOrTheirValuesIsTaken()
                                                                   QLatin1String("return t.v"))));
 }
 
+void TestRepairs::lineIsMadeTheMirrorImageOfAnother_data()
+{
+    QTest::addColumn<QString>("wrong"); // its second line is changed
+    QTest::addColumn<QString>("right");
+    QTest::newRow("numbers") << "m1 = u * va + vb\nm2 = u * vb"
+                             << "m1 = u * va + vb\nm2 = u * vb + va";
+    QTest::newRow("a call") << "f(m1, 2 * va)\nf(m1, va)"
+                            << "f(m1, 2 * va)\nf(m1, va)";
+    QTest::newRow("coordinates") << "p.x = q.x * 2\np.y = q.x * 2"
+                                 << "p.x = q.x * 2\np.y = q.y * 2";
+    QTest::newRow("places in a list") << "s[1].v = s[2].u\ns[2].v = s[2].u"
+                                      << "s[1].v = s[2].u\ns[2].v = s[1].u";
+}
+
+void TestRepairs::lineIsMadeTheMirrorImageOfAnother()
+{
+    QFETCH(QString, wrong);
+    QFETCH(QString, right);
+    const auto all = tried(around(wrong), {theLine + 1});
+    const auto told = std::find_if(all.begin(), all.end(), [&](const Repair &each) {
+        return withoutSpaces(each.source) == withoutSpaces(around(right));
+    });
+    QCOMPARE(told != all.end(), wrong != right);
+    if (wrong != right) {
+        QVERIFY(told->told);
+        QCOMPARE(told->line, theLine + 1);
+    }
+}
+
+void TestRepairs::whatIsForgottenIsTold()
+{
+    const auto isTold = [](const QString &wrong, const QString &right) {
+        const auto all = tried(around(wrong));
+        return std::any_of(all.begin(), all.end(), [&](const Repair &each) {
+            return each.told && withoutSpaces(each.source) == withoutSpaces(around(right));
+        });
+    };
+    // d is worked out and used nowhere.
+    QVERIFY(isTold(QStringLiteral("x = u * m1"), QStringLiteral("x = d * u * m1")));
+    QVERIFY(isTold(QStringLiteral("x = u * m1"), QStringLiteral("x = u * m1 / d")));
+    QVERIFY(isTold(QStringLiteral("x = u * m1"), QStringLiteral("x = d")));
+    QVERIFY(isTold(QStringLiteral("if u < w then"), QStringLiteral("if u < w and d then")));
+    QVERIFY(!isTold(QStringLiteral("x = u * m1"), QStringLiteral("x = u")));
+}
+
 /// Each wall is asked for in a line of its own.
 void TestRepairs::likeLinesAreChangedAlike()
 {
@@ -337,7 +386,7 @@ void TestRepairs::restitutionIsPutInOnlyWhereItIsKnown()
 
 void TestRepairs::onlyTheseLinesAreChanged()
 {
-    const QString program = QStringLiteral("x = u\ny = w\nz = v");
+    const QString program = QStringLiteral("x = u\nq = w\nz = v");
     for (const Repair &each : tried(program, {3, 2})) {
         QVERIFY(each.source.startsWith(QLatin1String("x = u\n")));
         QVERIFY(each.line == 2 || each.line == 3);

@@ -149,8 +149,17 @@ void useForgotten(RepairList &repairs, std::size_t i)
     const std::vector<ProgramToken> &tokens = repairs.tokens();
     if (!repairs.is(i, "=") || i + 1 >= tokens.size() || tokens[i + 1].line != tokens[i].line)
         return;
-    for (const QString &name : repairs.program().forgotten(tokens[i].line))
-        repairs.insertAfter(tokens[i], QStringLiteral(" %1 *").arg(name));
+    const std::size_t after = afterExpression(repairs.program(), i + 1);
+    for (const QString &name : repairs.program().forgotten(tokens[i].line)) {
+        const int line = tokens[i].line;
+        repairs.replaceTelling(line, tokens[i].end(), tokens[i].end(),
+                               QStringLiteral(" %1 *").arg(name));
+        if (after == i + 1)
+            continue;
+        const qsizetype end = tokens[after - 1].end();
+        repairs.replaceTelling(line, end, end, QStringLiteral(" / %1").arg(name));
+        repairs.replaceTelling(line, tokens[i + 1].start, end, name);
+    }
 }
 
 /// One more or less: of the turns of a loop, of an index that is handed on.

@@ -34,6 +34,8 @@ public:
 
     /// \param from, to  places in the source, of \p line
     void replace(int line, qsizetype from, qsizetype to, const QString &text);
+    /// Where other lines tell what is meant.
+    void replaceTelling(int line, qsizetype from, qsizetype to, const QString &text);
     void replace(const ProgramToken &token, const QString &text)
     {
         replace(token.line, token.start, token.end(), text);
@@ -86,6 +88,8 @@ void addCoordinate(RepairList &repairs, std::size_t i);
 void scaleTerm(RepairList &repairs, std::size_t i);
 /// What the line says of two, said the other way round or at once; a way out, not taken.
 void repairOrder(RepairList &repairs, int line);
+/// What the line says, as another nearby says it of the other circle or coordinate.
+void repairMirror(RepairList &repairs, int line);
 /// The line left out.
 void dropLine(RepairList &repairs, int line);
 /// The line put behind the next, or said of another circle.

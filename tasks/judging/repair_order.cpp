@@ -83,6 +83,23 @@ Naming namingOf(const QString &row)
     return naming;
 }
 
+/// Whether a line stands twice, where only one is meant for the second, and this is the other.
+bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
+{
+    const QString row = rows.value(line - 1);
+    const Side was = sideOf(row, QLatin1Char('1'), QLatin1Char('2'));
+    const Side is = sideOf(changed, QLatin1Char('1'), QLatin1Char('2'));
+    const auto stands = [&](int step) {
+        for (int at = line - 1 + step; std::abs(at - line + 1) <= 2; at += step) {
+            if (rows.value(at) == row)
+                return true;
+        }
+        return false;
+    };
+    return (was == Side::First && is == Side::Second && stands(1))
+           || (was == Side::Second && is == Side::First && stands(-1));
+}
+
 } // namespace
 
 void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound)
@@ -94,10 +111,13 @@ void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::
         const QString row =
             repair.source.section(QLatin1Char('\n'), repair.line - 1, repair.line - 1);
         const Naming after = namingOf(row);
-        if (row.contains(verdict) || sound.contains(repair.line)
-            || (before != Naming::Disagrees && after == Naming::Disagrees))
+        if (before != Naming::Disagrees && after == Naming::Disagrees)
             return 2;
-        return before == Naming::Disagrees && after != Naming::Disagrees ? 0 : 1;
+        if (repair.told || (before == Naming::Disagrees && after != Naming::Disagrees))
+            return 0;
+        const bool isLast = row.contains(verdict) || isFirstOfTwo(rows, repair.line, row)
+                            || sound.contains(repair.line);
+        return isLast ? 2 : 1;
     };
     std::vector<std::pair<int, Repair>> ranked;
     for (Repair &repair : repairs) {

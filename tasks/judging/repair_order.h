@@ -8,9 +8,12 @@
 
 namespace cradle {
 
-/// Puts \p repairs into the order in which they are tried: first those that make the names of a
+/// Puts \p repairs into the order in which they are tried: first those that other lines tell, and
+/// those that make the names of a
 /// line agree on whose value it is, as in `local m2 = mass(circle1)`, last those that make them
-/// disagree, those that ask for nothing any more, and those of lines that are \p sound.
+/// disagree, those that ask for nothing any more, those of the
+/// first of two equal lines of which the second is meant for circle 2, and those of lines that are
+/// \p sound.
 void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound);
 
 } // namespace cradle

@@ -33,6 +33,10 @@ void changeCondition(RepairList &repairs, std::size_t i)
             ++then;
         if (then >= repairs.tokens().size())
             return;
+        for (const QString &name : repairs.program().forgotten(word.line))
+            repairs.replaceTelling(word.line, repairs.tokens()[then - 1].end(),
+                                   repairs.tokens()[then - 1].end(),
+                                   QStringLiteral(" and %1").arg(name));
         for (const char *verdict : {"true", "false"})
             repairs.replace(word.line, repairs.tokens()[i + 1].start,
                             repairs.tokens()[then - 1].end(), QLatin1String(verdict));

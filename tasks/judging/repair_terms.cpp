@@ -48,6 +48,10 @@ void addFactor(RepairList &repairs, std::size_t i)
     if (last.is("radius") && after >= 3
         && repairs.tokens()[after - 3].kind == ProgramToken::Kind::Name) {
         const QString body = repairs.tokens()[after - 3].text;
+        for (const QString &other : repairs.program().bodiesNear(token.line)) {
+            if (other != body && repairs.is(i - 1, "="))
+                repairs.insertAfter(last, QStringLiteral(" + %1.radius").arg(other));
+        }
         repairs.insertAfter(last, QStringLiteral(" * %1.radius").arg(body));
         repairs.insertAfter(last, QStringLiteral(" * %1.density").arg(body));
     }

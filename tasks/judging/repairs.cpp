@@ -33,6 +33,14 @@ void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &
     replaceInTwins(line, from, to, text);
 }
 
+void RepairList::replaceTelling(int line, qsizetype from, qsizetype to, const QString &text)
+{
+    const std::size_t before = m_repairs.size();
+    replace(line, from, to, text);
+    if (m_repairs.size() > before)
+        m_repairs.back().told = true;
+}
+
 void RepairList::replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text)
 {
     std::vector<Edit> edits{{from, to, text}};
@@ -77,6 +85,8 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
     const ProgramLines program(source);
     RepairList repairs(program, source.contains(restitution) || reference.contains(restitution),
                        most);
+    for (const int line : lines)
+        repairMirror(repairs, line);
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairWords(repairs, i);

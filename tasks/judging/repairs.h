@@ -13,6 +13,9 @@ struct Repair {
     QString source;
     int line = 0;      ///< of the program, from 1, in which something was changed
     bool alone = true; ///< else the same was changed in lines that are alike
+    /// Other lines tell that it is meant so: one that says it of the other circle, a value that
+    /// was worked out for it and is used nowhere.
+    bool told = false;
 };
 
 /// Programs that differ from \p source in one token, one factor, one term, one part of a condition
