@@ -18,7 +18,7 @@
 using namespace cradle;
 using namespace cradle::classes;
 
-/// Whole pages and files for teachers and graders, as somebody has read and approved them:
+/// Whole pages and files for teachers and graders, as they were when they last changed:
 /// tests/approved/pages.
 class TestApprovedPages : public QObject
 {
