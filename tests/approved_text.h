@@ -10,8 +10,8 @@
 #include <QFile>
 #include <QFileInfo>
 
-/// Texts as they were when they last changed lie in tests/approved; a test compares them with what is
-/// made now. They say that nothing changes unseen, not that all of them is true. With
+/// Texts as they were when they last changed lie in tests/approved; a test compares them with what
+/// is made now. They say that nothing changes unseen, not that all of them is true. With
 /// CRADLE_APPROVE=1 (tools/approve) it writes them instead, and the difference of the commit, which
 /// is to be read, shows what has changed for who reads them.
 namespace cradle::approved {
