@@ -250,7 +250,7 @@ QString lawsTold(const Task &task, const QString &program)
         + told("modes", pair.modes) + told("equals", pair.equals) + told("larger", pair.radii)
         + told("denser", pair.densities) + told("rebounds", pair.rebounds)
         + told("partings", pair.partings) + told("twice", pair.twice) + told("own", pair.own)
-        + told("askew", pair.askew) + told("slow", pair.slow) + told("later", pair.later)
+        + told("varied", pair.varied) + told("slow", pair.slow) + told("later", pair.later)
         + told("returning", pair.returning) + told("again", laws.pairAgain());
     return all
            + QStringLiteral(" %1 %2 %3\n")

@@ -132,9 +132,9 @@ void TestContactLaw::faultIsNamed_data()
     rows("when they part", {.approach = text("closing < 0")},
          "The circles answer when they part, not when they meet");
     rows("circle 1 only", {.approach = text("p.velocity:dot(n) > 0")},
-         "Nothing happens when it is circle 2 that comes nearer");
+         "Hits are answered only where circle 1 comes towards circle 2");
     rows("circle 2 only", {.approach = text("q.velocity:dot(n) < 0")},
-         "Nothing happens when it is circle 1 that comes nearer");
+         "Hits are answered only where circle 2 comes towards circle 1");
 }
 
 void TestContactLaw::faultIsNamed()
@@ -200,15 +200,19 @@ void TestContactLaw::hitsRightOnOneSideOnlySaySo_data()
                                    .arg(QLatin1String(formula))
                             << "d:length() < reach" << side;
     };
-    angle("angle of a ratio", "math.atan(d.y / d.x)", "to the right of");
-    angle("and turned by half a circle", "math.atan(d.y / d.x) + math.pi", "to the left of");
-    angle("angle by its cosine", "math.acos(d.x / d:length())", "above");
-    QTest::newRow("distance without its sign") << "d:normalized()"
-                                               << "d:length() < reach and d.x > 0"
-                                               << "to the right of";
+    angle("angle of a ratio", "math.atan(d.y / d.x)",
+          "are answered only where circle 2 is to the right of");
+    angle("and turned by half a circle", "math.atan(d.y / d.x) + math.pi",
+          "are answered only where circle 2 is to the left of");
+    angle("angle by its cosine", "math.acos(d.x / d:length())",
+          "come out right only where circle 2 is above");
+    QTest::newRow("distance without its sign")
+        << "d:normalized()"
+        << "d:length() < reach and d.x > 0"
+        << "are answered only where circle 2 is to the right of";
     QTest::newRow("only below") << "d:normalized()"
                                 << "d:length() < reach and d.y < 0"
-                                << "below";
+                                << "are answered only where circle 2 is below";
 }
 
 void TestContactLaw::hitsRightOnOneSideOnlySaySo()
@@ -220,10 +224,8 @@ void TestContactLaw::hitsRightOnOneSideOnlySaySo()
     for (const Structure &structure : structures) {
         const LawProgram program = withHit(
             hitOf(hitWays[0], {.touch = touch, .normal = normal, .mass = QStringLiteral("1")}));
-        QCOMPARE(
-            bench.contact(written(program, structure)),
-            QStringList(QStringLiteral("Hits come out right only where circle 2 is %1 circle 1")
-                            .arg(side)));
+        QCOMPARE(bench.contact(written(program, structure)),
+                 QStringList(QStringLiteral("Hits %1 circle 1").arg(side)));
     }
 }
 
@@ -231,18 +233,17 @@ void TestContactLaw::hitsRightOnOneSideOnlySaySo()
 void TestContactLaw::hitsOfOneWayOfMovingSaySo()
 {
     const LawBench bench(task(QStringLiteral("L42T12")));
-    for (const auto &[approach, way] :
-         {std::pair("p.velocity.x > q.velocity.x", "to the right of"),
-          std::pair("p.velocity.x < q.velocity.x", "to the left of"),
-          std::pair("p.velocity.y > q.velocity.y", "upward beside"),
-          std::pair("p.velocity.y < q.velocity.y", "downward beside")}) {
+    for (const auto &[approach, way] : {std::pair("p.velocity.x > q.velocity.x", "to the right"),
+                                        std::pair("p.velocity.x < q.velocity.x", "to the left"),
+                                        std::pair("p.velocity.y > q.velocity.y", "upward"),
+                                        std::pair("p.velocity.y < q.velocity.y", "downward")}) {
         const LawProgram program = withHit(
             hitOf(hitWays[0], {.approach = QLatin1String(approach), .mass = QStringLiteral("1")}));
         for (const int structure : {0, 3})
             QCOMPARE(bench.contact(written(program, structures[structure])),
-                     QStringList(
-                         QStringLiteral("Hits are answered only where circle 1 moves %1 circle 2")
-                             .arg(QLatin1String(way))));
+                     QStringList(QStringLiteral("Hits are answered only where circle 1, seen from "
+                                                "circle 2, moves %1")
+                                     .arg(QLatin1String(way))));
     }
 }
 

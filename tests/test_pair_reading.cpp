@@ -16,6 +16,7 @@ class TestPairReading : public QObject
     Q_OBJECT
 private slots:
     void massesAreReadFromThePushes();
+    void massesAreReadFromOnePush();
     void pushesThatAreNotOppositeTellNoMasses_data();
     void pushesThatAreNotOppositeTellNoMasses();
     void exponentsAreReadFromUnlikeCircles_data();
@@ -92,6 +93,21 @@ void TestPairReading::massesAreReadFromThePushes()
     compare(massRatio(hit(3.0, 2.0, 0.0)).value(), 2.0 / 3.0);
 }
 
+/// Of (1 + e) u one gets the share of the other in both masses.
+void TestPairReading::massesAreReadFromOnePush()
+{
+    for (const double e : {1.0, 0.5}) {
+        PairHit made = hit(2.0, 3.0, e);
+        QVERIFY(!isOnePushed(made));
+        PairHit first = made;
+        first.left2 = first.came2;
+        QVERIFY(isOnePushed(first));
+        compare(massRatio(first).value(), 1.5);
+        made.left1 = made.came1;
+        compare(massRatio(made).value(), 1.5);
+    }
+}
+
 void TestPairReading::pushesThatAreNotOppositeTellNoMasses_data()
 {
     QTest::addColumn<double>("turn");  // of the push on circle 2, rad
@@ -103,8 +119,7 @@ void TestPairReading::pushesThatAreNotOppositeTellNoMasses_data()
     QTest::newRow("askew") << 0.022 << 1.0 << 1.0 << false;
     QTest::newRow("the same way") << 3.14159 << 1.0 << 1.0 << false;
     QTest::newRow("small") << 0.0 << 2e-6 << 2e-6 << true;
-    QTest::newRow("none on circle 1") << 0.0 << 5e-7 << 1.0 << false;
-    QTest::newRow("none on circle 2") << 0.0 << 1.0 << 5e-7 << false;
+    QTest::newRow("one alone, more than all") << 0.0 << 5e-7 << 9.0 << false;
 }
 
 /// The sum of their directions is as long as the angle between them and opposite ones: 0.02.

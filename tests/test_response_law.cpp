@@ -84,7 +84,7 @@ void TestResponseLaw::faultIsNamed_data()
         "local a, b = p.velocity:dot(n), q.velocity:dot(n) "
         "p.velocity = p.velocity + (u + e * (a - u) - a) * n "
         "q.velocity = q.velocity + (u + e * (u - b) - b) * n",
-        "Only in the new velocity of circle 1: The sign of e is wrong in the hit of two circles");
+        "The sign of e is wrong in the hit of two circles, in the new velocity of circle 1 alone");
     answer("e across, circle 1",
            "local j = (1 + e) * closing / (1 / m1 + 1 / m2) local t = vec(-n.y, n.x) "
            "p.velocity = p.velocity - j / m1 * n - (1 - e) * p.velocity:dot(t) * t "

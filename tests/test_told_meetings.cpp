@@ -14,10 +14,6 @@ class TestToldMeetings : public LabTest
     Q_OBJECT
 private slots:
     void initTestCase() { read(shippedLab); }
-    void comingOfOneIsTold_data();
-    void comingOfOneIsTold();
-    void sideOfTheOtherIsTold_data();
-    void sideOfTheOtherIsTold();
     void slowMeetingIsTold();
     void partingIsTold();
     void noAnswerAtAllIsTold();
@@ -59,80 +55,7 @@ QString text(const char *utf8)
 const QString e = QStringLiteral("restitution");
 const QString equal = QStringLiteral("1"); // masses
 
-double radians(double degrees)
-{
-    return degrees * std::atan(1.0) / 45.0;
-}
-
 } // namespace
-
-void TestToldMeetings::comingOfOneIsTold_data()
-{
-    QTest::addColumn<QString>("approach");
-    QTest::addColumn<QString>("headline");
-    QTest::addColumn<bool>("isOne"); // who comes unanswered
-    QTest::newRow("circle 1") << "q.velocity:dot(n) < 0"
-                              << "Nothing happens when it is circle 1 that comes nearer" << true;
-    QTest::newRow("circle 2") << "p.velocity:dot(n) > 0"
-                              << "Nothing happens when it is circle 2 that comes nearer" << false;
-}
-
-void TestToldMeetings::comingOfOneIsTold()
-{
-    QFETCH(QString, approach);
-    QFETCH(QString, headline);
-    QFETCH(bool, isOne);
-    const QString said = body("L42T14", {.approach = approach}, headline);
-    const auto n = numbersIn(said, "Along the line of centres circle 1 had # m/s and circle 2 # "
-                                   "m/s, so they came nearer with # m/s, and ran into each other");
-    QVERIFY2(n.size() == 3, qPrintable(said));
-    QVERIFY(n[2] > 1.0 && std::abs(n[2] - (n[0] - n[1])) < 0.02);
-    // The one catches up with the other.
-    QVERIFY(isOne ? n[1] >= 0.0 : n[0] <= 0.0);
-}
-
-void TestToldMeetings::sideOfTheOtherIsTold_data()
-{
-    QTest::addColumn<QString>("touch");
-    QTest::addColumn<QString>("approach");
-    QTest::addColumn<QString>("headline");
-    QTest::addColumn<Vec2>("side"); // of circle 1 on which 2 is answered, or to which 1 moves
-    const QString all = text("d:length() < reach");
-    const auto row = [&](const char *part, const char *where, Vec2 side) {
-        QTest::newRow(part) << all + QStringLiteral(" and ") + text(part) << text("closing > 0")
-                            << text("Hits come out right only where circle 2 is ") + text(where)
-                            << side;
-    };
-    row("d.x > 0", "to the right of circle 1", {1, 0});
-    row("d.x < 0", "to the left of circle 1", {-1, 0});
-    row("d.y > 0", "above circle 1", {0, 1});
-    row("d.y < 0", "below circle 1", {0, -1});
-    QTest::newRow("moving to the right")
-        << all << text("p.velocity.x > q.velocity.x")
-        << text("Hits are answered only where circle 1 moves to the right of circle 2") << Vec2{};
-}
-
-void TestToldMeetings::sideOfTheOtherIsTold()
-{
-    QFETCH(QString, touch);
-    QFETCH(QString, approach);
-    QFETCH(QString, headline);
-    QFETCH(Vec2, side);
-    const QString said =
-        body("L42T12", {.touch = touch, .approach = approach, .mass = equal}, headline);
-    const auto n =
-        numbersIn(said, "With their line of centres, from 1 to 2, at #° they came nearer "
-                        "with # m/s and ran into each other; at #° they are answered");
-    QVERIFY2(n.size() == 3, qPrintable(said));
-    QVERIFY(isNear(n[1], 1.2)); // as all meetings from far do
-    const auto along = [&](double degrees) {
-        return dot(side, Vec2{std::cos(radians(degrees)), std::sin(radians(degrees))});
-    };
-    if (side == Vec2{})
-        return;
-    QVERIFY(along(n[0]) < 0.0);
-    QVERIFY(along(n[2]) > 0.1);
-}
 
 /// From a tenth of a metre in a second on they are answered.
 void TestToldMeetings::slowMeetingIsTold()

@@ -1775,6 +1775,13 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
 </context>
 <context>
+    <name>DivisionText</name>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 أو %2</translation>
+    </message>
+</context>
+<context>
     <name>Examples</name>
     <message>
         <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
@@ -2020,10 +2027,6 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>تستجيب الدائرتان حين تفترقان لا حين تلتقيان</translation>
     </message>
     <message>
-        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
-        <translation>تداخلتا حتى صارت المسافة بين مركزيهما ⁦%1 m⁩، ثم جاءت الاستجابة حين أخذت تزداد. الدائرتان المتقاربتان لهما سرعة تقارب موجبة ⁦(v₁ − v₂)·n⁩، حيث n من 1 إلى 2: انظر إلى المقارنة، وإلى الجهة التي يشير إليها ناظمك.</translation>
-    </message>
-    <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
         <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩، واللقاء عند ⁦%3°⁩، استجابتا حين كانت المسافة بين مركزيهما بين ⁨%4⁩ و⁦%5 m⁩.</translation>
     </message>
@@ -2056,20 +2059,12 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا يحدث شيء حين تكون الدائرة 2 هي التي تقترب</translation>
     </message>
     <message>
-        <source>Nothing happens when it is circle 1 that comes nearer</source>
-        <translation>لا يحدث شيء حين تكون الدائرة 1 هي التي تقترب</translation>
-    </message>
-    <message>
         <source>Not every meeting is answered</source>
         <translation>لا يُستجاب لكل لقاء</translation>
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
         <translation>كانت السرعة على خط المركزين ⁦%1 m/s⁩ للدائرة 1 و⁦%2 m/s⁩ للدائرة 2، فاقتربتا بسرعة ⁦%3 m/s⁩ وتداخلتا؛ أما اللقاءات الأخرى فيُستجاب لها. المهم هو سرعة إحداهما بالنسبة إلى الأخرى.</translation>
-    </message>
-    <message>
-        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
-        <translation>صُدمت الدائرة 2، وعادت من الجدار الذي خلفها، ومرت عبر الدائرة 1. ما يتذكره برنامجك عن تصادم يجب أن يُنسى بعد أن تفترقا.</translation>
     </message>
     <message>
         <source>Circles that already part are hit again</source>
@@ -2580,10 +2575,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>من دائرتين متساويتين تغادر الدائرة ⁨%1⁩ وحدها كما يجب</translation>
     </message>
     <message>
-        <source>Only in the new velocity of circle %1: %2</source>
-        <translation>في السرعة الجديدة للدائرة ⁨%1⁩ فقط: ⁨%2⁩</translation>
-    </message>
-    <message>
         <source>e does not act on the rebound as it should</source>
         <translation>المعامل e لا يؤثر في الارتداد كما يجب</translation>
     </message>
@@ -2952,10 +2943,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>تصادم بُعيد آخر لا يلقى استجابة</translation>
     </message>
     <message>
-        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>صُدمت الدائرة 2 وعادت خلال بضع خطوات من الجدار القريب خلفها ودخلت في الدائرة 1 بلا استجابة؛ ومن جدار أبعد تلقى استجابة. لا يهمّ كم مضى على التصادم الأخير: المهم هل تتداخلان وتتقاربان.</translation>
-    </message>
-    <message>
         <source>A later hit is not answered</source>
         <translation>تصادم لاحق لا يلقى استجابة</translation>
     </message>
@@ -3076,10 +3063,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>عندما تلامستا وُضعت الدائرة ⁨%1⁩ عند ⁦%2 m⁩، بعيدًا عن المكان الذي جاءت منه، وأبقت كلتاهما سرعتها. التصادم يغيّر السرعات؛ وكل دائرة تبقى قرب مسارها.</translation>
     </message>
     <message>
-        <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
-        <translation>وخط مركزيهما عند ⁦%1°⁩ اقتربتا عليه بسرعة ⁦%2 m/s⁩ وتداخلتا؛ أما اللقاءات الأخرى فيُستجاب لها. المهم هل تتداخلان، وهل لسرعة إحداهما بالنسبة إلى الأخرى مركّبة على هذا الخط.</translation>
-    </message>
-    <message>
         <source>Circles that come nearer slowly are not answered</source>
         <translation>الدائرتان اللتان تقتربان ببطء لا تلقيان استجابة</translation>
     </message>
@@ -3160,26 +3143,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ ومضت إلى الخارج؛ وبسرعة ⁦%4 m/s⁩ تُردّ. لا تهمّ سرعة مجيئها: المهم هل تجاوزت حافتها الجدار، وإلى أين تتحرك.</translation>
     </message>
     <message>
-        <source>Hits come out right only where circle 2 is to the right of circle 1</source>
-        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 عن يمين الدائرة 1</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is to the left of circle 1</source>
-        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 عن يسار الدائرة 1</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is above circle 1</source>
-        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 فوق الدائرة 1</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is below circle 1</source>
-        <translation>لا تصحّ التصادمات إلا حيث تكون الدائرة 2 تحت الدائرة 1</translation>
-    </message>
-    <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
-        <translation>وخط مركزيهما، من 1 إلى 2، عند ⁦%1°⁩ اقتربتا بسرعة ⁦%2 m/s⁩ وتداخلتا؛ أما عند ⁦%3°⁩ فيُستجاب لهما حين تتلامسان. انظر إلى ما تتغير إشارته من جانب إلى آخر: فرق بين موضعين، أو زاوية تُحسب منه، أو مركّبة لسرعة.</translation>
-    </message>
-    <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
         <translation>كان خط المركزين هنا عند ⁦%1°⁩؛ وعند ⁦%2°⁩ تصحّ التصادمات.</translation>
     </message>
@@ -3194,26 +3157,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source> (only in x)</source>
         <translation> (في x فقط)</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
-        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 نحو اليمين بالنسبة إلى الدائرة 2</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
-        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 نحو اليسار بالنسبة إلى الدائرة 2</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
-        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 إلى أعلى بالنسبة إلى الدائرة 2</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
-        <translation>لا يُستجاب للتصادم إلا حيث تتحرك الدائرة 1 إلى أسفل بالنسبة إلى الدائرة 2</translation>
-    </message>
-    <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
-        <translation>عندما كان خط المركزين، من 1 إلى 2، عند ⁦%1°⁩ اقتربتا بسرعة ⁦%2 m/s⁩ وتداخلتا؛ وعند ⁦%3°⁩ يُستجاب لهما، لأن الدائرة 1 تتحرك في ذلك الاتجاه عرضيًا على الخط. ما يدل على اقتراب دائرتين هو مركّبة سرعة إحداهما بالنسبة إلى الأخرى على خط المركزين، لا x أو y فيها.</translation>
     </message>
     <message>
         <source>Where the masses differ, the total momentum is not kept</source>
@@ -3965,6 +3908,242 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تُردّ الدائرة ⁨%1⁩ مرة أخرى وهي تغادر جدارًا
 
 كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, and along the line of centres, those and no others.</source>
+        <translation>من ⁨%1⁩ لقاء من كل الأنواع لقي ⁨%2⁩ استجابة حين تلامست الحافتان وعلى طول خط المركزين، هذه دون سواها.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, those and no others.</source>
+        <translation>من ⁨%1⁩ لقاء من كل الأنواع لقي ⁨%2⁩ استجابة حين تلامست الحافتان، هذه دون سواها.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met.</source>
+        <translation>من ⁨%1⁩ لقاء من كل الأنواع لقي ⁨%2⁩ استجابة حين تلامست الحافتان.</translation>
+    </message>
+    <message>
+        <source>One that was not: %1.</source>
+        <translation>واحد لم يلقها: %1.</translation>
+    </message>
+    <message>
+        <source>One that was: %1.</source>
+        <translation>وواحد لقيها: %1.</translation>
+    </message>
+    <message>
+        <source>Look at what changes from one side to the other, such as the sign of a difference of two positions, and an angle that is worked out from it.</source>
+        <translation>انظر إلى ما يتغير من جانب إلى آخر، كإشارة الفرق بين موضعين وزاوية تُحسب منه.</translation>
+    </message>
+    <message>
+        <source>What counts is whether they overlap, and whether the velocity of one relative to the other closes the gap along the line of centres.</source>
+        <translation>المهم هو هل تتداخلان، وهل تقرّب سرعة إحداهما بالنسبة إلى الأخرى بينهما على طول خط المركزين.</translation>
+    </message>
+    <message>
+        <source>Hits come out right only %1</source>
+        <translation>لا تصحّ نتيجة التصادم إلا %1</translation>
+    </message>
+    <message>
+        <source>Hits are answered in time only %1</source>
+        <translation>لا يُستجاب للتصادم في وقته إلا %1</translation>
+    </message>
+    <message>
+        <source>Hits are answered only %1</source>
+        <translation>لا يُستجاب للتصادم إلا %1</translation>
+    </message>
+    <message>
+        <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
+        <translation>جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ والدائرة 2 بسرعة ⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>their line of centres, from 1 to 2, at %1°</source>
+        <translation>وخط مركزيهما من 1 إلى 2 عند ⁦%1°⁩</translation>
+    </message>
+    <message>
+        <source>near %1 m</source>
+        <translation>قرب ⁦%1 m⁩</translation>
+    </message>
+    <message>
+        <source>They touched, their places were changed and their velocities kept, until they moved apart.</source>
+        <translation>تلامستا فتغير موضعاهما وبقيت سرعتاهما حتى ابتعدتا.</translation>
+    </message>
+    <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again.</source>
+        <translation>تداخلتا حتى صار بين مركزيهما ⁦%1 m⁩، وجاءت الاستجابة حين عادت هذه المسافة تزداد.</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
+        <translation>الدائرتان اللتان تقتربان لهما سرعة اقتراب موجبة ⁦(v₁ − v₂)·n⁩ حيث n من 1 إلى 2: انظر إلى المقارنة وإلى الجهة التي يشير إليها الناظم.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one that is pushed answers as if m₂/m₁ were %5; %6 is right.</source>
+        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (و⁦e = %7⁩)، تستجيب المدفوعة كأن m₂/m₁ تساوي ⁨%5⁩؛ الصواب ⁨%6⁩.</translation>
+    </message>
+    <message>
+        <source>circle 2 is to the right of circle 1</source>
+        <translation>تكون الدائرة 2 إلى يمين الدائرة 1</translation>
+    </message>
+    <message>
+        <source>circle 2 is to the left of circle 1</source>
+        <translation>تكون الدائرة 2 إلى يسار الدائرة 1</translation>
+    </message>
+    <message>
+        <source>circle 2 is above circle 1</source>
+        <translation>تكون الدائرة 2 فوق الدائرة 1</translation>
+    </message>
+    <message>
+        <source>circle 2 is below circle 1</source>
+        <translation>تكون الدائرة 2 تحت الدائرة 1</translation>
+    </message>
+    <message>
+        <source>circle %1 is at rest</source>
+        <translation>تكون الدائرة ⁨%1⁩ ساكنة</translation>
+    </message>
+    <message>
+        <source>circle %1 comes towards circle %2</source>
+        <translation>تأتي الدائرة ⁨%1⁩ نحو الدائرة ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>circle %1 moves away from circle %2</source>
+        <translation>تبتعد الدائرة ⁨%1⁩ عن الدائرة ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>circle %1 is the faster one along the line of centres</source>
+        <translation>تكون الدائرة ⁨%1⁩ الأسرع على خط المركزين</translation>
+    </message>
+    <message>
+        <source>circle %1 is the faster one</source>
+        <translation>تكون الدائرة ⁨%1⁩ الأسرع</translation>
+    </message>
+    <message>
+        <source>both move the same way along the line of centres</source>
+        <translation>تتحرك كلتاهما في اتجاه واحد على خط المركزين</translation>
+    </message>
+    <message>
+        <source>both come towards each other</source>
+        <translation>تأتي كلتاهما نحو الأخرى</translation>
+    </message>
+    <message>
+        <source>one of them is at rest</source>
+        <translation>تكون إحداهما ساكنة</translation>
+    </message>
+    <message>
+        <source>both are equally fast along the line of centres</source>
+        <translation>تتساوى سرعتاهما على خط المركزين</translation>
+    </message>
+    <message>
+        <source>both are equally fast</source>
+        <translation>تتساوى سرعتاهما</translation>
+    </message>
+    <message>
+        <source>circle %1 moves to the right</source>
+        <translation>تتحرك الدائرة ⁨%1⁩ إلى اليمين</translation>
+    </message>
+    <message>
+        <source>circle %1 moves to the left</source>
+        <translation>تتحرك الدائرة ⁨%1⁩ إلى اليسار</translation>
+    </message>
+    <message>
+        <source>circle %1 moves upward</source>
+        <translation>تتحرك الدائرة ⁨%1⁩ إلى أعلى</translation>
+    </message>
+    <message>
+        <source>circle %1 moves downward</source>
+        <translation>تتحرك الدائرة ⁨%1⁩ إلى أسفل</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves to the right</source>
+        <translation>تتحرك الدائرة 1، منظورًا إليها من الدائرة 2، إلى اليمين</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves to the left</source>
+        <translation>تتحرك الدائرة 1، منظورًا إليها من الدائرة 2، إلى اليسار</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves upward</source>
+        <translation>تتحرك الدائرة 1، منظورًا إليها من الدائرة 2، إلى أعلى</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves downward</source>
+        <translation>تتحرك الدائرة 1، منظورًا إليها من الدائرة 2، إلى أسفل</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves away from (0, 0)</source>
+        <translation>تبتعد الدائرة 1، منظورًا إليها من الدائرة 2، عن ⁦(0, 0)⁩</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves towards (0, 0)</source>
+        <translation>تتحرك الدائرة 1، منظورًا إليها من الدائرة 2، نحو ⁦(0, 0)⁩</translation>
+    </message>
+    <message>
+        <source>circle %1 is the larger one</source>
+        <translation>تكون الدائرة ⁨%1⁩ الأكبر</translation>
+    </message>
+    <message>
+        <source>circle %1 is the heavier one</source>
+        <translation>تكون الدائرة ⁨%1⁩ الأثقل</translation>
+    </message>
+    <message>
+        <source>circle %1 is the denser one</source>
+        <translation>تكون الدائرة ⁨%1⁩ الأكثف</translation>
+    </message>
+    <message>
+        <source>both are equally large</source>
+        <translation>يتساوى حجماهما</translation>
+    </message>
+    <message>
+        <source>both are equally heavy</source>
+        <translation>تتساوى كتلتاهما</translation>
+    </message>
+    <message>
+        <source>both are equally dense</source>
+        <translation>تتساوى كثافتاهما</translation>
+    </message>
+    <message>
+        <source>where %1</source>
+        <translation>حيث %1</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. What counts is whether they overlap and come nearer, not when the last hit was, nor whether a wall is near.</source>
+        <translation>صُدمت الدائرة 2 وعادت من الجدار القريب خلفها في بضع خطوات ودخلت في الدائرة 1 بلا استجابة؛ ومن جدار أبعد تلقى استجابة. المهم هو هل تتداخلان وتقتربان، لا متى كان آخر تصادم ولا هل الجدار قريب.</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What counts is whether they overlap and come nearer: look at what else is asked, and at what your program keeps of a hit.</source>
+        <translation>صُدمت الدائرة 2 وعادت من الجدار خلفها واخترقت الدائرة 1. المهم هو هل تتداخلان وتقتربان: انظر إلى ما يُسأل عنه غير ذلك وإلى ما يحتفظ به برنامجك من التصادم.</translation>
+    </message>
+    <message>
+        <source>In all these hits the new part of circle %1 along that line was %2 times that of circle 1 before the hit and %3 times that of circle 2; right is %4 and %5 times.</source>
+        <translation>في كل هذه التصادمات كان الجزء الجديد للدائرة ⁨%1⁩ على ذلك الخط يساوي جزء الدائرة 1 قبل التصادم مضروبًا في ⁨%2⁩ وجزء الدائرة 2 مضروبًا في ⁨%3⁩؛ الصواب ⁨%4⁩ و⁨%5⁩.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the radius</source>
+        <translation>للدفع مقدار خاطئ يتوقف على نصف القطر</translation>
+    </message>
+    <message>
+        <source>With r = %1 m for both the push is %2 times as large as it should be, with r = %3 m it is %4 times.</source>
+        <translation>مع ⁦r = %1 m⁩ لكلتيهما الدفع يساوي ما يجب مضروبًا في ⁨%2⁩، ومع ⁦r = %3 m⁩ مضروبًا في ⁨%4⁩.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the circles</source>
+        <translation>للدفع مقدار خاطئ يتوقف على الدائرتين</translation>
+    </message>
+    <message>
+        <source>With r = %1 m and ρ = %2 for both the push is %3 times as large as it should be, with r = %4 m and ρ = %5 it is %6 times.</source>
+        <translation>مع ⁦r = %1 m⁩ و⁦ρ = %2⁩ لكلتيهما الدفع يساوي ما يجب مضروبًا في ⁨%3⁩، ومع ⁦r = %4 m⁩ و⁦ρ = %5⁩ مضروبًا في ⁨%6⁩.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the timestep</source>
+        <translation>للدفع مقدار خاطئ يتوقف على الخطوة الزمنية</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s the push is %2 times as large as it should be, and with %3 s about %4 times.</source>
+        <translation>بخطوة زمنية ⁦%1 s⁩ الدفع يساوي ما يجب مضروبًا في ⁨%2⁩، وبخطوة ⁦%3 s⁩ مضروبًا في نحو ⁨%4⁩.</translation>
+    </message>
+    <message>
+        <source>%1, in the new velocity of circle %2 alone</source>
+        <translation>%1، في السرعة الجديدة للدائرة ⁨%2⁩ وحدها</translation>
+    </message>
+    <message>
+        <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
+        <translation>تغادر الدائرة ⁨%1⁩ التصادم كما يجب ولا تغادره الدائرة ⁨%2⁩ كذلك</translation>
     </message>
 </context>
 <context>

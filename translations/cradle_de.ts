@@ -1751,6 +1751,13 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
 </context>
 <context>
+    <name>DivisionText</name>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+</context>
+<context>
     <name>Examples</name>
     <message>
         <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
@@ -1988,10 +1995,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Die Kreise antworten, wenn sie sich entfernen, nicht, wenn sie sich treffen</translation>
     </message>
     <message>
-        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
-        <translation>Sie liefen ineinander, bis ihre Mittelpunkte %1 m auseinander waren, und antworteten erst, als der Abstand wieder wuchs. Kreise, die sich nähern, haben eine positive Annäherungsgeschwindigkeit (v₁ − v₂)·n, wenn n von 1 nach 2 zeigt: Sieh dir den Vergleich an und wohin deine Normale zeigt.</translation>
-    </message>
-    <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
         <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie bei einem Treffen unter %3°, als ihre Mittelpunkte zwischen %4 und %5 m auseinander waren.</translation>
     </message>
@@ -2020,20 +2023,12 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Nichts geschieht, wenn es Kreis 2 ist, der näher kommt</translation>
     </message>
     <message>
-        <source>Nothing happens when it is circle 1 that comes nearer</source>
-        <translation>Nichts geschieht, wenn es Kreis 1 ist, der näher kommt</translation>
-    </message>
-    <message>
         <source>Not every meeting is answered</source>
         <translation>Nicht jedes Treffen wird beantwortet</translation>
     </message>
     <message>
         <source>A later hit is not answered</source>
         <translation>Ein späterer Stoß wird nicht beantwortet</translation>
-    </message>
-    <message>
-        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
-        <translation>Kreis 2 wurde gestoßen, kam von der Wand dahinter zurück und lief durch Kreis 1 hindurch. Was dein Programm sich von einem Stoß merkt, muss vergessen sein, wenn sie sich getrennt haben.</translation>
     </message>
     <message>
         <source>Circles that already part are hit again</source>
@@ -2920,10 +2915,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Von zwei gleichen Kreisen verlässt nur Kreis %1 den Stoß, wie er soll</translation>
     </message>
     <message>
-        <source>Only in the new velocity of circle %1: %2</source>
-        <translation>Nur in der neuen Geschwindigkeit von Kreis %1: %2</translation>
-    </message>
-    <message>
         <source>With e = %1 a hit does not come out right</source>
         <translation>Mit e = %1 geht ein Stoß nicht richtig aus</translation>
     </message>
@@ -2954,10 +2945,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>A hit soon after another is not answered</source>
         <translation>Ein Stoß bald nach einem anderen wird nicht beantwortet</translation>
-    </message>
-    <message>
-        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Kreis 2 wurde gestoßen, war von der Wand dicht dahinter nach wenigen Schritten zurück und lief ohne Antwort in Kreis 1 hinein; von einer ferneren Wand her bekommt er eine. Wie lange der letzte Stoß her ist, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
@@ -3052,10 +3039,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Als sie sich berührten, wurde Kreis %1 nach %2 m gesetzt, weit weg von dort, woher er kam, und beide behielten ihre Geschwindigkeiten. Ein Stoß ändert Geschwindigkeiten; jeder Kreis bleibt nahe an seinem eigenen Weg.</translation>
     </message>
     <message>
-        <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
-        <translation>Mit der Verbindungslinie ihrer Mittelpunkte bei %1° näherten sie sich längs ihr mit %2 m/s und liefen ineinander; andere Begegnungen werden beantwortet. Es zählt, ob sie überlappen und ob die Geschwindigkeit des einen relativ zum anderen einen Anteil längs dieser Linie hat.</translation>
-    </message>
-    <message>
         <source>Circles that come nearer slowly are not answered</source>
         <translation>Kreise, die sich langsam nähern, antworten nicht</translation>
     </message>
@@ -3136,26 +3119,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Kreis %1 kam mit %3 m/s an %2 an und lief darüber hinaus; mit %4 m/s kehrt er um. Wie schnell er kommt, spielt keine Rolle: Es zählt, ob sein Rand über die Wand hinaus ist und wohin er sich bewegt.</translation>
     </message>
     <message>
-        <source>Hits come out right only where circle 2 is to the right of circle 1</source>
-        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 rechts von Kreis 1 liegt</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is to the left of circle 1</source>
-        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 links von Kreis 1 liegt</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is above circle 1</source>
-        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 über Kreis 1 liegt</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is below circle 1</source>
-        <translation>Stöße gehen nur dort richtig aus, wo Kreis 2 unter Kreis 1 liegt</translation>
-    </message>
-    <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
-        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° näherten sie sich mit %2 m/s und liefen ineinander; bei %3° antworten sie, wenn sie sich berühren. Sieh nach, was von einer Seite zur anderen sein Vorzeichen wechselt: eine Differenz zweier Orte, ein Winkel, der daraus berechnet wird, oder ein Anteil einer Geschwindigkeit.</translation>
-    </message>
-    <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
         <translation>Hier lag die Verbindungslinie der Mittelpunkte bei %1°; bei %2° gehen die Stöße richtig aus.</translation>
     </message>
@@ -3170,26 +3133,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source> (only in x)</source>
         <translation> (nur in x)</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
-        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach rechts bewegt</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
-        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach links bewegt</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
-        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach oben bewegt</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
-        <translation>Stöße werden nur beantwortet, wo sich Kreis 1 gegenüber Kreis 2 nach unten bewegt</translation>
-    </message>
-    <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
-        <translation>Mit der Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1° näherten sie sich mit %2 m/s und liefen ineinander; bei %3° antworten sie, weil sich Kreis 1 quer zur Linie dorthin bewegt. Ob sich zwei nähern, sagt der Anteil der Geschwindigkeit des einen relativ zum anderen längs der Verbindungslinie, nicht ihr x oder y.</translation>
     </message>
     <message>
         <source>Where the masses differ, the total momentum is not kept</source>
@@ -3941,6 +3884,242 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>Kreis %1 wird noch einmal umgekehrt, während er eine Wand verlässt
 
 Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umkehrst.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, and along the line of centres, those and no others.</source>
+        <translation>Von %1 Treffen aller Art wurden %2 beantwortet, bis sich die Ränder trafen, und entlang der Verbindungslinie der Mittelpunkte, diese und keine anderen.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, those and no others.</source>
+        <translation>Von %1 Treffen aller Art wurden %2 beantwortet, bis sich die Ränder trafen, diese und keine anderen.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met.</source>
+        <translation>Von %1 Treffen aller Art wurden %2 beantwortet, bis sich die Ränder trafen.</translation>
+    </message>
+    <message>
+        <source>One that was not: %1.</source>
+        <translation>Eines, das es nicht wurde: %1.</translation>
+    </message>
+    <message>
+        <source>One that was: %1.</source>
+        <translation>Eines, das es wurde: %1.</translation>
+    </message>
+    <message>
+        <source>Look at what changes from one side to the other, such as the sign of a difference of two positions, and an angle that is worked out from it.</source>
+        <translation>Sieh dir an, was sich von einer Seite zur anderen ändert, etwa das Vorzeichen der Differenz zweier Positionen und ein Winkel, der daraus berechnet wird.</translation>
+    </message>
+    <message>
+        <source>What counts is whether they overlap, and whether the velocity of one relative to the other closes the gap along the line of centres.</source>
+        <translation>Es zählt, ob sie sich überlappen und ob die Geschwindigkeit des einen relativ zum anderen sie entlang der Verbindungslinie der Mittelpunkte näher bringt.</translation>
+    </message>
+    <message>
+        <source>Hits come out right only %1</source>
+        <translation>Stöße gehen nur %1 richtig aus</translation>
+    </message>
+    <message>
+        <source>Hits are answered in time only %1</source>
+        <translation>Stöße werden nur %1 rechtzeitig beantwortet</translation>
+    </message>
+    <message>
+        <source>Hits are answered only %1</source>
+        <translation>Stöße werden nur %1 beantwortet</translation>
+    </message>
+    <message>
+        <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
+        <translation>Kreis 1 kam mit %1 m/s, Kreis 2 mit %2 m/s</translation>
+    </message>
+    <message>
+        <source>their line of centres, from 1 to 2, at %1°</source>
+        <translation>die Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1°</translation>
+    </message>
+    <message>
+        <source>near %1 m</source>
+        <translation>bei %1 m</translation>
+    </message>
+    <message>
+        <source>They touched, their places were changed and their velocities kept, until they moved apart.</source>
+        <translation>Sie berührten sich, ihre Orte wurden geändert und ihre Geschwindigkeiten behalten, bis sie sich voneinander entfernten.</translation>
+    </message>
+    <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again.</source>
+        <translation>Sie liefen ineinander, bis ihre Mittelpunkte %1 m voneinander entfernt waren, und wurden beantwortet, als das wieder wuchs.</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
+        <translation>Kreise, die sich nähern, haben eine positive Annäherungsgeschwindigkeit (v₁ − v₂)·n mit n von 1 nach 2: Sieh dir den Vergleich an, und wohin deine Normale zeigt.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one that is pushed answers as if m₂/m₁ were %5; %6 is right.</source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) antwortet der, der gestoßen wird, als wäre m₂/m₁ = %5; richtig ist %6.</translation>
+    </message>
+    <message>
+        <source>circle 2 is to the right of circle 1</source>
+        <translation>Kreis 2 rechts von Kreis 1 ist</translation>
+    </message>
+    <message>
+        <source>circle 2 is to the left of circle 1</source>
+        <translation>Kreis 2 links von Kreis 1 ist</translation>
+    </message>
+    <message>
+        <source>circle 2 is above circle 1</source>
+        <translation>Kreis 2 über Kreis 1 ist</translation>
+    </message>
+    <message>
+        <source>circle 2 is below circle 1</source>
+        <translation>Kreis 2 unter Kreis 1 ist</translation>
+    </message>
+    <message>
+        <source>circle %1 is at rest</source>
+        <translation>Kreis %1 ruht</translation>
+    </message>
+    <message>
+        <source>circle %1 comes towards circle %2</source>
+        <translation>Kreis %1 auf Kreis %2 zukommt</translation>
+    </message>
+    <message>
+        <source>circle %1 moves away from circle %2</source>
+        <translation>Kreis %1 sich von Kreis %2 entfernt</translation>
+    </message>
+    <message>
+        <source>circle %1 is the faster one along the line of centres</source>
+        <translation>Kreis %1 entlang der Verbindungslinie der Mittelpunkte der schnellere ist</translation>
+    </message>
+    <message>
+        <source>circle %1 is the faster one</source>
+        <translation>Kreis %1 der schnellere ist</translation>
+    </message>
+    <message>
+        <source>both move the same way along the line of centres</source>
+        <translation>sich beide entlang der Verbindungslinie der Mittelpunkte in dieselbe Richtung bewegen</translation>
+    </message>
+    <message>
+        <source>both come towards each other</source>
+        <translation>beide aufeinander zukommen</translation>
+    </message>
+    <message>
+        <source>one of them is at rest</source>
+        <translation>einer von ihnen ruht</translation>
+    </message>
+    <message>
+        <source>both are equally fast along the line of centres</source>
+        <translation>beide entlang der Verbindungslinie der Mittelpunkte gleich schnell sind</translation>
+    </message>
+    <message>
+        <source>both are equally fast</source>
+        <translation>beide gleich schnell sind</translation>
+    </message>
+    <message>
+        <source>circle %1 moves to the right</source>
+        <translation>sich Kreis %1 nach rechts bewegt</translation>
+    </message>
+    <message>
+        <source>circle %1 moves to the left</source>
+        <translation>sich Kreis %1 nach links bewegt</translation>
+    </message>
+    <message>
+        <source>circle %1 moves upward</source>
+        <translation>sich Kreis %1 nach oben bewegt</translation>
+    </message>
+    <message>
+        <source>circle %1 moves downward</source>
+        <translation>sich Kreis %1 nach unten bewegt</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves to the right</source>
+        <translation>sich Kreis 1, von Kreis 2 aus gesehen, nach rechts bewegt</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves to the left</source>
+        <translation>sich Kreis 1, von Kreis 2 aus gesehen, nach links bewegt</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves upward</source>
+        <translation>sich Kreis 1, von Kreis 2 aus gesehen, nach oben bewegt</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves downward</source>
+        <translation>sich Kreis 1, von Kreis 2 aus gesehen, nach unten bewegt</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves away from (0, 0)</source>
+        <translation>sich Kreis 1, von Kreis 2 aus gesehen, von (0, 0) entfernt</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves towards (0, 0)</source>
+        <translation>sich Kreis 1, von Kreis 2 aus gesehen, auf (0, 0) zubewegt</translation>
+    </message>
+    <message>
+        <source>circle %1 is the larger one</source>
+        <translation>Kreis %1 der größere ist</translation>
+    </message>
+    <message>
+        <source>circle %1 is the heavier one</source>
+        <translation>Kreis %1 der schwerere ist</translation>
+    </message>
+    <message>
+        <source>circle %1 is the denser one</source>
+        <translation>Kreis %1 der dichtere ist</translation>
+    </message>
+    <message>
+        <source>both are equally large</source>
+        <translation>beide gleich groß sind</translation>
+    </message>
+    <message>
+        <source>both are equally heavy</source>
+        <translation>beide gleich schwer sind</translation>
+    </message>
+    <message>
+        <source>both are equally dense</source>
+        <translation>beide gleich dicht sind</translation>
+    </message>
+    <message>
+        <source>where %1</source>
+        <translation>dort, wo %1</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. What counts is whether they overlap and come nearer, not when the last hit was, nor whether a wall is near.</source>
+        <translation>Kreis 2 wurde gestoßen, war innerhalb weniger Schritte von der Wand dicht hinter ihm zurück und lief ohne Antwort in Kreis 1; von einer ferneren Wand bekommt er eine. Es zählt, ob sie sich überlappen und einander nähern, nicht, wann der letzte Stoß war oder ob eine Wand nahe ist.</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What counts is whether they overlap and come nearer: look at what else is asked, and at what your program keeps of a hit.</source>
+        <translation>Kreis 2 wurde gestoßen, kam von der Wand hinter ihm zurück und lief durch Kreis 1. Es zählt, ob sie sich überlappen und einander nähern: Sieh dir an, was sonst gefragt wird und was dein Programm von einem Stoß behält.</translation>
+    </message>
+    <message>
+        <source>In all these hits the new part of circle %1 along that line was %2 times that of circle 1 before the hit and %3 times that of circle 2; right is %4 and %5 times.</source>
+        <translation>In allen diesen Stößen war der neue Anteil von Kreis %1 entlang dieser Linie das %2-Fache des Anteils von Kreis 1 vor dem Stoß und das %3-Fache dessen von Kreis 2; richtig ist das %4- und das %5-Fache.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the radius</source>
+        <translation>Der Kraftstoß hat eine falsche Größe, die vom Radius abhängt</translation>
+    </message>
+    <message>
+        <source>With r = %1 m for both the push is %2 times as large as it should be, with r = %3 m it is %4 times.</source>
+        <translation>Mit r = %1 m für beide ist der Kraftstoß %2-mal so groß, wie er sein soll, mit r = %3 m %4-mal.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the circles</source>
+        <translation>Der Kraftstoß hat eine falsche Größe, die von den Kreisen abhängt</translation>
+    </message>
+    <message>
+        <source>With r = %1 m and ρ = %2 for both the push is %3 times as large as it should be, with r = %4 m and ρ = %5 it is %6 times.</source>
+        <translation>Mit r = %1 m und ρ = %2 für beide ist der Kraftstoß %3-mal so groß, wie er sein soll, mit r = %4 m und ρ = %5 %6-mal.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the timestep</source>
+        <translation>Der Kraftstoß hat eine falsche Größe, die vom Zeitschritt abhängt</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s the push is %2 times as large as it should be, and with %3 s about %4 times.</source>
+        <translation>Mit einem Zeitschritt von %1 s ist der Kraftstoß %2-mal so groß, wie er sein soll, und mit %3 s etwa %4-mal.</translation>
+    </message>
+    <message>
+        <source>%1, in the new velocity of circle %2 alone</source>
+        <translation>%1, nur in der neuen Geschwindigkeit von Kreis %2</translation>
+    </message>
+    <message>
+        <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
+        <translation>Kreis %1 verlässt einen Stoß, wie er soll, Kreis %2 nicht</translation>
     </message>
 </context>
 <context>

@@ -1751,6 +1751,13 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
 </context>
 <context>
+    <name>DivisionText</name>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+</context>
+<context>
     <name>Examples</name>
     <message>
         <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
@@ -1996,10 +2003,6 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Les cercles réagissent quand ils se séparent, pas quand ils se rencontrent</translation>
     </message>
     <message>
-        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again. Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
-        <translation>Ils sont entrés l&apos;un dans l&apos;autre jusqu&apos;à une distance des centres de %1 m, et n&apos;ont réagi que lorsqu&apos;elle augmentait de nouveau. Des cercles qui se rapprochent ont une vitesse de rapprochement (v₁ − v₂)·n positive, n allant de 1 vers 2&#xa0;: regardez la comparaison, et dans quel sens pointe votre normale.</translation>
-    </message>
-    <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
         <translation>Avec r₁ = %1 m et r₂ = %2 m, en se rencontrant sous un angle de %3°, ils ont réagi quand leurs centres étaient entre %4 et %5 m l&apos;un de l&apos;autre.</translation>
     </message>
@@ -2032,20 +2035,12 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Rien ne se passe quand c&apos;est le cercle 2 qui se rapproche</translation>
     </message>
     <message>
-        <source>Nothing happens when it is circle 1 that comes nearer</source>
-        <translation>Rien ne se passe quand c&apos;est le cercle 1 qui se rapproche</translation>
-    </message>
-    <message>
         <source>Not every meeting is answered</source>
         <translation>Certaines rencontres restent sans réaction</translation>
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
         <translation>Suivant la ligne des centres, le cercle 1 avait %1 m/s et le cercle 2 %2 m/s&#xa0;; ils se rapprochaient donc à %3 m/s, et sont entrés l&apos;un dans l&apos;autre&#xa0;; d&apos;autres rencontres provoquent une réaction. Ce qui compte est la vitesse de l&apos;un par rapport à l&apos;autre.</translation>
-    </message>
-    <message>
-        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What your program remembers of a hit must be forgotten when they have parted.</source>
-        <translation>Le cercle 2 a été heurté, est revenu de la paroi derrière lui et a traversé le cercle 1. Ce que votre programme retient d&apos;un choc doit être oublié quand ils se sont séparés.</translation>
     </message>
     <message>
         <source>Circles that already part are hit again</source>
@@ -2556,10 +2551,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>De deux cercles égaux, seul le cercle %1 repart comme il faut</translation>
     </message>
     <message>
-        <source>Only in the new velocity of circle %1: %2</source>
-        <translation>Seulement dans la nouvelle vitesse du cercle %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>e does not act on the rebound as it should</source>
         <translation>e n&apos;agit pas sur le rebond comme il le devrait</translation>
     </message>
@@ -2928,10 +2919,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Un choc peu après un autre reste sans réaction</translation>
     </message>
     <message>
-        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. How long ago the last hit was does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et a pénétré dans le cercle 1 sans aucune réaction&#xa0;; après une paroi plus éloignée, il y en a une. Peu importe à quand remonte le dernier choc&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
-    </message>
-    <message>
         <source>A later hit is not answered</source>
         <translation>Un choc ultérieur reste sans réaction</translation>
     </message>
@@ -3052,10 +3039,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Quand ils se sont touchés, le cercle %1 a été mis en %2 m, loin d&apos;où il venait, et tous deux ont gardé leur vitesse. Un choc change les vitesses&#xa0;; chaque cercle reste près de son propre chemin.</translation>
     </message>
     <message>
-        <source>With their line of centres at %1° they came nearer with %2 m/s along it and ran into each other; other meetings are answered. What counts is whether they overlap, and whether the velocity of one relative to the other has a part along that line.</source>
-        <translation>Avec leur ligne des centres à %1°, ils se sont rapprochés à %2 m/s le long de celle-ci et sont entrés l&apos;un dans l&apos;autre&#xa0;; d&apos;autres rencontres provoquent une réaction. Ce qui compte, c&apos;est s&apos;ils se chevauchent, et si la vitesse de l&apos;un par rapport à l&apos;autre a une composante le long de cette ligne.</translation>
-    </message>
-    <message>
         <source>Circles that come nearer slowly are not answered</source>
         <translation>Les cercles qui se rapprochent lentement restent sans réaction</translation>
     </message>
@@ -3136,26 +3119,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a continué au-delà&#xa0;; à %4 m/s il fait demi-tour. Peu importe à quelle vitesse il vient&#xa0;: ce qui compte, c&apos;est que son bord ait dépassé la paroi, et dans quel sens il va.</translation>
     </message>
     <message>
-        <source>Hits come out right only where circle 2 is to the right of circle 1</source>
-        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est à droite du cercle 1</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is to the left of circle 1</source>
-        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est à gauche du cercle 1</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is above circle 1</source>
-        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est au-dessus du cercle 1</translation>
-    </message>
-    <message>
-        <source>Hits come out right only where circle 2 is below circle 1</source>
-        <translation>Les chocs ne donnent le bon résultat que là où le cercle 2 est au-dessous du cercle 1</translation>
-    </message>
-    <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered when they touch. Look at what changes its sign from one side to the other: a difference of two positions, an angle that is worked out from it, or one part of a velocity.</source>
-        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3°, ils réagissent quand ils se touchent. Regardez ce qui change de signe d&apos;un côté à l&apos;autre&#xa0;: une différence de deux positions, un angle calculé à partir d&apos;elle, ou une composante d&apos;une vitesse.</translation>
-    </message>
-    <message>
         <source>Here the line of centres was at %1°; with %2° the hits come out right.</source>
         <translation>Ici, la ligne des centres était à %1°&#xa0;; à %2°, les chocs donnent le bon résultat.</translation>
     </message>
@@ -3170,26 +3133,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source> (only in x)</source>
         <translation> (seulement en x)</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves to the right of circle 2</source>
-        <translation>Seuls les chocs où le cercle 1 va vers la droite par rapport au cercle 2 provoquent une réaction</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves to the left of circle 2</source>
-        <translation>Seuls les chocs où le cercle 1 va vers la gauche par rapport au cercle 2 provoquent une réaction</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves upward beside circle 2</source>
-        <translation>Seuls les chocs où le cercle 1 va vers le haut par rapport au cercle 2 provoquent une réaction</translation>
-    </message>
-    <message>
-        <source>Hits are answered only where circle 1 moves downward beside circle 2</source>
-        <translation>Seuls les chocs où le cercle 1 va vers le bas par rapport au cercle 2 provoquent une réaction</translation>
-    </message>
-    <message>
-        <source>With their line of centres, from 1 to 2, at %1° they came nearer with %2 m/s and ran into each other; at %3° they are answered, as circle 1 moves that way across the line. Whether two come nearer is told by the part of one velocity relative to the other along the line of centres, not by its x or y.</source>
-        <translation>Avec leur ligne des centres, de 1 vers 2, à %1°, ils se sont rapprochés à %2 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %3°, ils réagissent, car le cercle 1 va dans ce sens en travers de la ligne. Si deux cercles se rapprochent, c&apos;est la composante de la vitesse de l&apos;un par rapport à l&apos;autre suivant la ligne des centres qui le dit, pas son x ni son y.</translation>
     </message>
     <message>
         <source>Where the masses differ, the total momentum is not kept</source>
@@ -3941,6 +3884,242 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>Le cercle %1 est renvoyé une seconde fois alors qu&apos;il quitte une paroi
 
 Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, and along the line of centres, those and no others.</source>
+        <translation>Sur %1 rencontres de toutes sortes, %2 ont eu leur réponse quand les bords se sont touchés, et le long de la ligne des centres, celles-là et aucune autre.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, those and no others.</source>
+        <translation>Sur %1 rencontres de toutes sortes, %2 ont eu leur réponse quand les bords se sont touchés, celles-là et aucune autre.</translation>
+    </message>
+    <message>
+        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met.</source>
+        <translation>Sur %1 rencontres de toutes sortes, %2 ont eu leur réponse quand les bords se sont touchés.</translation>
+    </message>
+    <message>
+        <source>One that was not: %1.</source>
+        <translation>Une qui n&apos;en a pas eu&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>One that was: %1.</source>
+        <translation>Une qui en a eu&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Look at what changes from one side to the other, such as the sign of a difference of two positions, and an angle that is worked out from it.</source>
+        <translation>Regardez ce qui change d&apos;un côté à l&apos;autre, comme le signe d&apos;une différence de deux positions et un angle qui en est calculé.</translation>
+    </message>
+    <message>
+        <source>What counts is whether they overlap, and whether the velocity of one relative to the other closes the gap along the line of centres.</source>
+        <translation>Ce qui compte, c&apos;est s&apos;ils se recouvrent, et si la vitesse de l&apos;un par rapport à l&apos;autre les rapproche le long de la ligne des centres.</translation>
+    </message>
+    <message>
+        <source>Hits come out right only %1</source>
+        <translation>Les chocs ne donnent le bon résultat que %1</translation>
+    </message>
+    <message>
+        <source>Hits are answered in time only %1</source>
+        <translation>Les chocs n&apos;ont de réponse à temps que %1</translation>
+    </message>
+    <message>
+        <source>Hits are answered only %1</source>
+        <translation>Les chocs n&apos;ont de réponse que %1</translation>
+    </message>
+    <message>
+        <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
+        <translation>le cercle 1 arrivait à %1 m/s, le cercle 2 à %2 m/s</translation>
+    </message>
+    <message>
+        <source>their line of centres, from 1 to 2, at %1°</source>
+        <translation>la ligne de leurs centres, de 1 vers 2, à %1°</translation>
+    </message>
+    <message>
+        <source>near %1 m</source>
+        <translation>près de %1 m</translation>
+    </message>
+    <message>
+        <source>They touched, their places were changed and their velocities kept, until they moved apart.</source>
+        <translation>Ils se sont touchés, leurs positions ont été changées et leurs vitesses gardées, jusqu&apos;à ce qu&apos;ils s&apos;éloignent l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered when that grew again.</source>
+        <translation>Ils sont entrés l&apos;un dans l&apos;autre jusqu&apos;à ce que leurs centres soient à %1 m, et la réponse est venue quand cette distance a recommencé à croître.</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
+        <translation>Des cercles qui se rapprochent ont une vitesse de rapprochement (v₁ − v₂)·n positive, avec n de 1 vers 2&#xa0;: regardez la comparaison, et dans quel sens pointe votre normale.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one that is pushed answers as if m₂/m₁ were %5; %6 is right.</source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), celui qui est poussé réagit comme si m₂/m₁ valait %5&#xa0;; il faut %6.</translation>
+    </message>
+    <message>
+        <source>circle 2 is to the right of circle 1</source>
+        <translation>le cercle 2 est à droite du cercle 1</translation>
+    </message>
+    <message>
+        <source>circle 2 is to the left of circle 1</source>
+        <translation>le cercle 2 est à gauche du cercle 1</translation>
+    </message>
+    <message>
+        <source>circle 2 is above circle 1</source>
+        <translation>le cercle 2 est au-dessus du cercle 1</translation>
+    </message>
+    <message>
+        <source>circle 2 is below circle 1</source>
+        <translation>le cercle 2 est au-dessous du cercle 1</translation>
+    </message>
+    <message>
+        <source>circle %1 is at rest</source>
+        <translation>le cercle %1 est au repos</translation>
+    </message>
+    <message>
+        <source>circle %1 comes towards circle %2</source>
+        <translation>le cercle %1 vient vers le cercle %2</translation>
+    </message>
+    <message>
+        <source>circle %1 moves away from circle %2</source>
+        <translation>le cercle %1 s&apos;éloigne du cercle %2</translation>
+    </message>
+    <message>
+        <source>circle %1 is the faster one along the line of centres</source>
+        <translation>le cercle %1 est le plus rapide le long de la ligne des centres</translation>
+    </message>
+    <message>
+        <source>circle %1 is the faster one</source>
+        <translation>le cercle %1 est le plus rapide</translation>
+    </message>
+    <message>
+        <source>both move the same way along the line of centres</source>
+        <translation>les deux vont dans le même sens le long de la ligne des centres</translation>
+    </message>
+    <message>
+        <source>both come towards each other</source>
+        <translation>les deux viennent l&apos;un vers l&apos;autre</translation>
+    </message>
+    <message>
+        <source>one of them is at rest</source>
+        <translation>l&apos;un des deux est au repos</translation>
+    </message>
+    <message>
+        <source>both are equally fast along the line of centres</source>
+        <translation>les deux sont également rapides le long de la ligne des centres</translation>
+    </message>
+    <message>
+        <source>both are equally fast</source>
+        <translation>les deux sont également rapides</translation>
+    </message>
+    <message>
+        <source>circle %1 moves to the right</source>
+        <translation>le cercle %1 va vers la droite</translation>
+    </message>
+    <message>
+        <source>circle %1 moves to the left</source>
+        <translation>le cercle %1 va vers la gauche</translation>
+    </message>
+    <message>
+        <source>circle %1 moves upward</source>
+        <translation>le cercle %1 monte</translation>
+    </message>
+    <message>
+        <source>circle %1 moves downward</source>
+        <translation>le cercle %1 descend</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves to the right</source>
+        <translation>le cercle 1, vu du cercle 2, va vers la droite</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves to the left</source>
+        <translation>le cercle 1, vu du cercle 2, va vers la gauche</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves upward</source>
+        <translation>le cercle 1, vu du cercle 2, monte</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves downward</source>
+        <translation>le cercle 1, vu du cercle 2, descend</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves away from (0, 0)</source>
+        <translation>le cercle 1, vu du cercle 2, s&apos;éloigne de (0, 0)</translation>
+    </message>
+    <message>
+        <source>circle 1, seen from circle 2, moves towards (0, 0)</source>
+        <translation>le cercle 1, vu du cercle 2, va vers (0, 0)</translation>
+    </message>
+    <message>
+        <source>circle %1 is the larger one</source>
+        <translation>le cercle %1 est le plus grand</translation>
+    </message>
+    <message>
+        <source>circle %1 is the heavier one</source>
+        <translation>le cercle %1 est le plus lourd</translation>
+    </message>
+    <message>
+        <source>circle %1 is the denser one</source>
+        <translation>le cercle %1 est le plus dense</translation>
+    </message>
+    <message>
+        <source>both are equally large</source>
+        <translation>les deux sont de même taille</translation>
+    </message>
+    <message>
+        <source>both are equally heavy</source>
+        <translation>les deux ont la même masse</translation>
+    </message>
+    <message>
+        <source>both are equally dense</source>
+        <translation>les deux sont de même densité</translation>
+    </message>
+    <message>
+        <source>where %1</source>
+        <translation>là où %1</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. What counts is whether they overlap and come nearer, not when the last hit was, nor whether a wall is near.</source>
+        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et est entré dans le cercle 1 sans réponse&#xa0;; depuis une paroi plus éloignée il en a une. Ce qui compte, c&apos;est s&apos;ils se recouvrent et se rapprochent, non quand le dernier choc a eu lieu ni si une paroi est proche.</translation>
+    </message>
+    <message>
+        <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What counts is whether they overlap and come nearer: look at what else is asked, and at what your program keeps of a hit.</source>
+        <translation>Le cercle 2 a été heurté, est revenu de la paroi derrière lui et a traversé le cercle 1. Ce qui compte, c&apos;est s&apos;ils se recouvrent et se rapprochent&#xa0;: regardez ce qui est demandé en plus, et ce que votre programme garde d&apos;un choc.</translation>
+    </message>
+    <message>
+        <source>In all these hits the new part of circle %1 along that line was %2 times that of circle 1 before the hit and %3 times that of circle 2; right is %4 and %5 times.</source>
+        <translation>Dans tous ces chocs, la nouvelle part du cercle %1 le long de cette ligne valait %2 fois celle du cercle 1 avant le choc et %3 fois celle du cercle 2&#xa0;; il faut %4 et %5 fois.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the radius</source>
+        <translation>La poussée a une valeur fausse qui dépend du rayon</translation>
+    </message>
+    <message>
+        <source>With r = %1 m for both the push is %2 times as large as it should be, with r = %3 m it is %4 times.</source>
+        <translation>Avec r = %1 m pour les deux, la poussée vaut %2 fois ce qu&apos;elle devrait, avec r = %3 m %4 fois.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the circles</source>
+        <translation>La poussée a une valeur fausse qui dépend des cercles</translation>
+    </message>
+    <message>
+        <source>With r = %1 m and ρ = %2 for both the push is %3 times as large as it should be, with r = %4 m and ρ = %5 it is %6 times.</source>
+        <translation>Avec r = %1 m et ρ = %2 pour les deux, la poussée vaut %3 fois ce qu&apos;elle devrait, avec r = %4 m et ρ = %5 %6 fois.</translation>
+    </message>
+    <message>
+        <source>The push has a wrong size that depends on the timestep</source>
+        <translation>La poussée a une valeur fausse qui dépend du pas de temps</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s the push is %2 times as large as it should be, and with %3 s about %4 times.</source>
+        <translation>Avec un pas de temps de %1 s, la poussée vaut %2 fois ce qu&apos;elle devrait, et avec %3 s environ %4 fois.</translation>
+    </message>
+    <message>
+        <source>%1, in the new velocity of circle %2 alone</source>
+        <translation>%1, dans la nouvelle vitesse du cercle %2 seulement</translation>
+    </message>
+    <message>
+        <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
+        <translation>Le cercle %1 repart d&apos;un choc comme il faut, le cercle %2 non</translation>
     </message>
 </context>
 <context>

@@ -29,9 +29,7 @@ QString ConditionComparison::counted(Aspect aspect, const std::vector<Occasion> 
 void ConditionComparison::add(Aspect aspect, QString message, const Condition &condition,
                               const std::vector<int> &circles, const Moment &place)
 {
-    using Kind = Condition::Kind;
-    const bool isOfPlace = condition.kind == Kind::Above || condition.kind == Kind::Below
-                           || condition.kind == Kind::LeftOf || condition.kind == Kind::RightOf;
+    const bool isOfPlace = condition.isOfPlace();
     message += QLatin1Char(' ')
                + ConditionText::tr("Look at what is asked before the lines that do it, and at what "
                                    "your program keeps from one step to the next.");

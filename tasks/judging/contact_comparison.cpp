@@ -23,6 +23,11 @@ bool ContactComparison::answersAny(const std::vector<PairHit> &hits)
     return std::any_of(hits.begin(), hits.end(), [](const PairHit &h) { return h.answered; });
 }
 
+bool ContactComparison::meetsAny(const std::vector<PairHit> &hits)
+{
+    return std::any_of(hits.begin(), hits.end(), [](const PairHit &h) { return h.isMet(); });
+}
+
 bool ContactComparison::answersRightly() const
 {
     return std::equal(m_own.equals.begin(), m_own.equals.end(), m_right.equals.begin(),
@@ -32,25 +37,15 @@ bool ContactComparison::answersRightly() const
                       });
 }
 
-bool ContactComparison::pushesAlongCentres(const std::vector<PairHit> &hits)
-{
-    return std::all_of(hits.begin(), hits.end(), [](const PairHit &h) {
-        const Vec2 t = perpendicular(h.normal);
-        const double all = length(h.push1()) + length(h.push2());
-        return !h.isMet() || std::abs(dot(h.push1(), t)) + std::abs(dot(h.push2(), t)) < 0.02 * all;
-    });
-}
-
 bool ContactComparison::isDirectionWrong() const
 {
-    return !answersRightly() && !pushesAlongCentres(m_own.equals)
-           && pushesAlongCentres(m_right.equals);
-}
-
-PairHit ContactComparison::withStepOf(PairHit hit, const PairHit &answered)
-{
-    hit.step = answered.step;
-    return hit;
+    const auto isAskew = [](const PairHit &h) { return h.isInTime() && !h.isAlongCentres(); };
+    const auto isInTime = [](const PairHit &h) { return h.isInTime(); };
+    // Deep inside each other the line of centres turns fast.
+    const bool areEqualsInTime = std::any_of(m_own.equals.begin(), m_own.equals.end(), isInTime);
+    const std::vector<PairHit> &hits = areEqualsInTime ? m_own.equals : m_own.varied;
+    return !answersRightly() && std::any_of(hits.begin(), hits.end(), isAskew)
+           && arePushedAlong(m_right);
 }
 
 PairHit ContactComparison::whereTheyTouch(PairHit hit)

@@ -4,6 +4,7 @@
 
 #include "tasks/judging/contact_tests.h"
 #include "tasks/judging/deviation.h"
+#include "tasks/judging/meeting_division.h"
 
 namespace cradle {
 
@@ -23,18 +24,15 @@ protected:
              Suspect suspect = Suspect::Question);
 
     [[nodiscard]] static bool answersAny(const std::vector<PairHit> &hits);
+    [[nodiscard]] static bool meetsAny(const std::vector<PairHit> &hits);
     /// Whether equal circles leave a hit as they should: what comes later is judged by that.
     [[nodiscard]] bool answersRightly() const;
-    /// Whether all pushes act along the line of centres.
-    [[nodiscard]] static bool pushesAlongCentres(const std::vector<PairHit> &hits);
     [[nodiscard]] bool isDirectionWrong() const;
     [[nodiscard]] static bool isInTime(const PairHit &h)
     {
         return h.isMet() && h.fits(h.meeting.sum());
     }
     /// \p hit, which no step answered, at about the step in which it should be.
-    [[nodiscard]] static PairHit withStepOf(PairHit hit, const PairHit &answered);
-    /// The same for one that nothing is compared with.
     [[nodiscard]] static PairHit whereTheyTouch(PairHit hit);
 
     const MeasuredPair &m_own;
@@ -43,13 +41,28 @@ protected:
     std::vector<LawDeviation> m_found{};
 };
 
-/// That hits come out right on one side of circle 1 alone.
-struct SideDeviation {
-    LawDeviation said;
-    bool isOfVelocity = false; ///< it counts to which side circle 1 moves
+/// That some meetings are answered and others are not: by what divides them.
+class DividedMeetings : ContactComparison
+{
+public:
+    DividedMeetings(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground);
+
+    /// Whether some are missed, and it counts from where they come, or where they meet: then what
+    /// they have in common besides is no law.
+    [[nodiscard]] bool isOfWay() const;
+    /// \param isKnown  something else was found that may explain it
+    [[nodiscard]] std::optional<LawDeviation> said(bool isKnown);
+
+private:
+    [[nodiscard]] bool isRight(const PairHit &hit) const;
+    void tell();
+    [[nodiscard]] static const PairHit &plainest(const std::vector<const PairHit *> &hits);
+    [[nodiscard]] QString describe(const PairHit &hit) const;
+
+    std::optional<MeetingDivision> m_division{};
+    std::vector<const PairHit *> m_answered{};
+    std::vector<const PairHit *> m_missed{};
 };
-[[nodiscard]] std::optional<SideDeviation>
-sideDeviation(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground);
 
 /// That they answer at another distance than that of rims which touch.
 [[nodiscard]] std::vector<LawDeviation>
@@ -57,9 +70,9 @@ distanceDeviations(const MeasuredPair &own, const MeasuredPair &right, const Gro
 
 /// Which of the meetings that are looked at.
 enum class Meetings {
-    OfEqualCircles, ///< by who comes to whom, and whether those that part are answered
-    Later,          ///< after a first hit
-    FromAllAround,  ///< and slow ones
+    Parting, ///< of circles that have met already
+    Later,   ///< after a first hit
+    Slow,
 };
 /// That some of them are not answered, or those that part are.
 [[nodiscard]] std::vector<LawDeviation> meetingDeviations(Meetings which, const MeasuredPair &own,

@@ -21,16 +21,16 @@ public:
     {
         if (findNever() || findParting())
             return std::move(m_found);
-        auto side = sideDeviation(m_own, m_right, m_ground);
-        if (side)
-            m_found.push_back(std::move(side->said));
-        else
+        DividedMeetings divided(m_own, m_right, m_ground);
+        if (!divided.isOfWay())
             take(distanceDeviations(m_own, m_right, m_ground));
+        if (auto missed = divided.said(!m_found.empty()))
+            m_found.push_back(std::move(*missed));
         findLeap();
         // A wrong direction shows here, too; it is the response that is wrong.
-        if ((!side || !side->isOfVelocity) && !isDirectionWrong())
-            take(meetingDeviations(Meetings::OfEqualCircles, m_own, m_right, m_ground));
-        for (const Meetings more : {Meetings::Later, Meetings::FromAllAround}) {
+        if (!divided.isOfWay() && !isDirectionWrong())
+            take(meetingDeviations(Meetings::Parting, m_own, m_right, m_ground));
+        for (const Meetings more : {Meetings::Later, Meetings::Slow}) {
             if (m_found.empty() && answersRightly())
                 take(meetingDeviations(more, m_own, m_right, m_ground));
         }
@@ -46,9 +46,10 @@ private:
 
     bool findNever()
     {
-        // With e = 1 a hit may come to nothing that is one with another e.
-        const bool own =
-            answersAny(m_own.contacts) || (!answersAny(m_own.equals) && answersAny(m_own.rebounds));
+        // With e = 1 a hit may come to nothing that is one with another e, and elsewhere or of
+        // other circles there may be one.
+        const bool own = answersAny(m_own.contacts) || meetsAny(m_own.varied)
+                         || (!answersAny(m_own.equals) && answersAny(m_own.rebounds));
         const bool right = answersAny(m_right.contacts);
         if (own == right || m_own.contacts.empty())
             return !own;
@@ -85,8 +86,7 @@ private:
     /// All that are answered are answered when they leave each other.
     bool findParting()
     {
-        if (std::any_of(m_own.contacts.begin(), m_own.contacts.end(),
-                        [](const PairHit &h) { return h.isMet(); }))
+        if (meetsAny(m_own.contacts) || meetsAny(m_own.varied))
             return false;
         const auto found = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
                                         [](const PairHit &h) { return h.answered; });
@@ -94,11 +94,15 @@ private:
             return false;
         const PairHit &hit = *found;
         add(ContactText::tr("The circles answer when they part, not when they meet"),
-            ContactText::tr("They ran into each other until their centres were %1 m apart, and "
-                            "were answered when that grew again. Circles that come nearer have "
-                            "a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at "
-                            "the comparison, and at which way your normal points.")
-                .arg(brief(hit.before)),
+            (hit.held ? ContactText::tr("They touched, their places were changed and their "
+                                        "velocities kept, until they moved apart.")
+                      : ContactText::tr("They ran into each other until their centres were %1 m "
+                                        "apart, and were answered when that grew again.")
+                            .arg(brief(hit.before)))
+                + QLatin1Char(' ')
+                + ContactText::tr("Circles that come nearer have a positive closing speed "
+                                  "(v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at "
+                                  "which way your normal points."),
             hit);
         return true;
     }

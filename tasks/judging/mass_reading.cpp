@@ -45,12 +45,26 @@ bool isHeadOn(const PairHit &hit)
            < 1e-9 * (std::abs(in.along1) + std::abs(in.along2));
 }
 
+bool isOnePushed(const PairHit &hit)
+{
+    return hit.isMet() && std::min(length(hit.push1()), length(hit.push2())) < 1e-6;
+}
+
 std::optional<double> massRatio(const PairHit &hit)
 {
     const double p1 = length(hit.push1());
     const double p2 = length(hit.push2());
-    if (!hit.isMet() || p1 < 1e-6 || p2 < 1e-6)
+    if (!hit.isMet() || std::max(p1, p2) < 1e-6)
         return std::nullopt;
+    if (isOnePushed(hit)) {
+        // What one gets of (1 + e) u is the share of the other in both masses.
+        const Vec2 n = normalized(hit.push2() - hit.push1());
+        const double u = dot(hit.came1 - hit.came2, n);
+        const double share = std::max(p1, p2) / ((1.0 + hit.meeting.restitution) * u);
+        const double heavy = share / (1.0 - share);
+        return share > 0.0 && share < 1.0 ? std::optional(p1 > p2 ? heavy : 1.0 / heavy)
+                                          : std::nullopt;
+    }
     const Vec2 sum = hit.push1() / p1 + hit.push2() / p2;
     return length(sum) < antiparallel ? std::optional(p1 / p2) : std::nullopt;
 }

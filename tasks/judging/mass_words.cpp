@@ -35,9 +35,11 @@ LawDeviation say(const QString &headline, const QString &why, const std::vector<
     const PairHit &hit = hits.front();
     const Meeting &m = hit.meeting;
     const QString what =
-        ResponseText::tr(
-            "With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the change of v₁ was %5 "
-            "times that of v₂; m₂/m₁ = %6 is right.")
+        (isOnePushed(hit)
+             ? ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one "
+                                "that is pushed answers as if m₂/m₁ were %5; %6 is right.")
+             : ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the "
+                                "change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right."))
             .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
                  brief(massRatio(hit).value_or(0.0)), brief(massRatio(right.front()).value_or(0.0)),
                  brief(m.restitution));

@@ -17,15 +17,6 @@ constexpr double leastRestitution = 0.2; ///< with less, circle 2 stays with the
 
 constexpr double hitBlur = 4e-3; ///< of velocities after a hit in such a step, relative
 
-/// A line of centres, and how fast circle 1 moves across it, of the speed with which they come
-/// nearer: so much that it moves to the right while circle 2 is to its left, and so on.
-struct Askew {
-    double degrees;
-    double across;
-};
-constexpr std::array askewWays{Askew{110.0, -0.6}, Askew{70.0, 0.6}, Askew{-20.0, 0.6},
-                               Askew{20.0, -0.6}};
-
 PairVelocities partsOf(Vec2 v1, Vec2 v2, Vec2 n)
 {
     const Vec2 t = perpendicular(n);
@@ -103,6 +94,21 @@ bool LaterHit::isFirstOdd() const
     return std::abs(first.rebound() - e) > 0.03 && std::abs(second.rebound() - e) < 0.01;
 }
 
+bool PairHit::isInTime() const
+{
+    return isMet() && meeting.sum() <= before + (before - reached) + 1e-9;
+}
+
+bool PairHit::isAlongCentres() const
+{
+    const auto across = [&](Vec2 n) {
+        const Vec2 t = perpendicular(n);
+        return std::abs(dot(push1(), t)) + std::abs(dot(push2(), t));
+    };
+    return std::min(across(normal), across(nextNormal))
+           < 0.02 * (length(push1()) + length(push2()));
+}
+
 bool PairHit::fits(double distance) const
 {
     return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
@@ -164,15 +170,6 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
             contacts.push_back(range.scan({degrees, large, small, light, light, e, gentle}));
         contacts.push_back(range.scan({111.0, largest, largest, light, light, e, gentle}));
     }
-    const bool missesSome = std::any_of(contacts.begin(), contacts.end(),
-                                        [](const PairHit &hit) { return !hit.isMet(); });
-    if (missesSome && asked.oblique) {
-        for (const Askew &way : askewWays) {
-            PairVelocities v = gentle;
-            v.across1 = v.across2 + way.across * (v.along1 - v.along2);
-            askew.push_back(range.scan({way.degrees, small, large, light, light, e, v}));
-        }
-    }
     const bool isOff = std::any_of(contacts.begin(), contacts.end(), [](const PairHit &hit) {
         return hit.isMet() && !hit.fits(hit.meeting.sum());
     });
@@ -198,6 +195,8 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         radii.push_back(range.look({33.0, small, large, light, light, e, both}));
         radii.push_back(range.look({33.0, large, small, light, light, e, both}));
         radii.push_back(range.look({61.0, large, large, light, light, e, both}));
+    } else {
+        larger = range.look({61.0, 1.4 * small, 1.4 * small, light, light, e, both});
     }
     if (asked.densities.isVaried()) {
         densities.push_back(range.look({33.0, small, small, light, dense, e, both}));
@@ -214,6 +213,12 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         PairVelocities apart{-0.9, 0.4, 0.8, 0.4};
         partings.push_back(range.part({degrees, small, small, light, light, e, apart}));
     }
+    const auto missesSome = [](const std::vector<PairHit> &hits) {
+        return !std::all_of(hits.begin(), hits.end(),
+                            [](const PairHit &hit) { return hit.isInTime(); });
+    };
+    if (missesSome(contacts) || missesSome(equals) || missesSome(radii) || missesSome(densities))
+        varied = range.varied(e);
     // What is said of a program that stopped is its error.
     const auto stopped = [](const PairHit &hit) { return hit.stopped; };
     for (const auto *hits : {&contacts, &equals, &radii, &densities, &rebounds})
@@ -236,6 +241,12 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         later = range.later(small, light, some);
 }
 
+bool arePushedAlong(const MeasuredPair &pair)
+{
+    return std::none_of(pair.equals.begin(), pair.equals.end(),
+                        [](const PairHit &hit) { return hit.isInTime() && !hit.isAlongCentres(); });
+}
+
 bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
 {
     if (isJudged != other.isJudged || contacts.size() != other.contacts.size()
@@ -252,11 +263,11 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
                                      * std::max(std::abs(a.before - a.reached),
                                                 std::abs(b.before - b.reached))));
     };
-    const auto answered = [](const PairHit &a, const PairHit &b) {
-        return a.answered == b.answered;
-    };
+    const auto met = [](const PairHit &a, const PairHit &b) { return a.isMet() == b.isMet(); };
     return std::equal(contacts.begin(), contacts.end(), other.contacts.begin(), meetAlike)
-           && std::equal(modes.begin(), modes.end(), other.modes.begin(), answered)
+           && std::equal(modes.begin(), modes.end(), other.modes.begin(), met)
+           && std::equal(varied.begin(), varied.end(), other.varied.begin(), other.varied.end(),
+                         met)
            && slow.has_value() == other.slow.has_value()
            && (!slow || slow->isMet() == other.slow->isMet());
 }

@@ -27,6 +27,7 @@ struct Meeting {
     double density2 = 7.8; ///< 1000 kg/m³
     double restitution = 1.0;
     PairVelocities velocities{}; ///< before
+    Vec2 middle{0.17, -0.23};    ///< of the two, m
 
     [[nodiscard]] double sum() const { return radius1 + radius2; }
     [[nodiscard]] double closing() const { return velocities.along1 - velocities.along2; }
@@ -64,6 +65,12 @@ struct PairHit {
     [[nodiscard]] PairVelocities leftParts() const;
     /// Whether they stood along the line that was asked for, so that other programs compare.
     [[nodiscard]] bool isAligned() const;
+    /// Whether it was answered by the time that the rims met, or a step later.
+    [[nodiscard]] bool isInTime() const;
+    /// Whether both pushes act along the line of centres, at the start of the step or at its end.
+    [[nodiscard]] bool isAlongCentres() const;
+    /// Whether it was noticed but changed no velocity.
+    [[nodiscard]] bool isHeldAlone() const { return held && !answered; }
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.
     [[nodiscard]] bool fits(double distance) const;
     /// Speed with which they parted, of that with which they met, along the push on circle 2.
@@ -111,6 +118,7 @@ struct MeasuredPair {
     std::vector<PairHit> modes{};       ///< who comes to whom
     std::vector<PairHit> equals{};      ///< equal circles, e as it is without losses
     std::vector<PairHit> radii{};       ///< one is larger
+    std::optional<PairHit> larger{};    ///< where sizes are not varied: two larger equal ones
     std::vector<PairHit> densities{};   ///< one is denser
     std::vector<PairHit> rebounds{};    ///< the other values of e
     std::vector<PairHit> partings{};    ///< they overlap and move apart: nothing should happen
@@ -119,10 +127,13 @@ struct MeasuredPair {
     int ownContacts = 0;                ///< how often they meet again when a wall sends one back
     bool ranThrough = false;            ///< and whether it ran through the other then
     bool ranThroughAtOnce = false;      ///< only from so near a wall that it is back at once
-    std::vector<PairHit> askew{};       ///< where some are missed: on one side, moving to the other
+    std::vector<PairHit> varied{};      ///< where some are missed: thrown in many ways
     std::optional<PairHit> slow{};      ///< equal circles meet slowly, with an e of the middle
     std::optional<LaterHit> later{};    ///< two hits with different lines of centres
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
 };
+
+/// Whether all equal circles are pushed along the line of centres.
+[[nodiscard]] bool arePushedAlong(const MeasuredPair &pair);
 
 } // namespace cradle

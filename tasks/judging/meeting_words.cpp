@@ -3,7 +3,6 @@
 #include "tasks/judging/contact_comparison.h"
 
 #include <algorithm>
-#include <set>
 
 namespace cradle {
 
@@ -18,53 +17,21 @@ public:
     [[nodiscard]] std::vector<LawDeviation> judge(Meetings which)
     {
         switch (which) {
-        case Meetings::OfEqualCircles:
-            findModes();
+        case Meetings::Parting:
             findPartings();
             findTwice();
             break;
         case Meetings::Later:
             findOnce();
             break;
-        case Meetings::FromAllAround:
-            findUnanswered();
+        case Meetings::Slow:
+            findSlow();
             break;
         }
         return std::move(m_found);
     }
 
 private:
-    enum class Coming { One, Two, Both };
-
-    static Coming comingOf(const PairHit &hit)
-    {
-        const PairVelocities &v = hit.meeting.velocities;
-        return v.along1 <= 0.0 ? Coming::Two : v.along2 >= 0.0 ? Coming::One : Coming::Both;
-    }
-
-    void findModes()
-    {
-        const PairHit *left = nullptr;
-        std::set<Coming> answered;
-        std::set<Coming> unanswered;
-        for (std::size_t i = 0; i < m_own.equals.size(); ++i) {
-            const PairHit &hit = m_own.equals[i];
-            if (!m_right.equals[i].answered)
-                continue;
-            (hit.isMet() ? answered : unanswered).insert(comingOf(hit));
-            left = hit.isMet() || left ? left : &hit;
-        }
-        if (!left || answered.empty())
-            return;
-        const bool isOne = unanswered == std::set{Coming::One} && !answered.contains(Coming::One);
-        const bool isTwo = unanswered == std::set{Coming::Two} && !answered.contains(Coming::Two);
-        addUnanswered(
-            isTwo   ? ContactText::tr("Nothing happens when it is circle 2 that comes nearer")
-            : isOne ? ContactText::tr("Nothing happens when it is circle 1 that comes nearer")
-                    : ContactText::tr("Not every meeting is answered"),
-            left->answered ? *left : whereTheyTouch(*left));
-    }
-
     void addUnanswered(const QString &headline, const PairHit &hit)
     {
         const PairVelocities &v = hit.meeting.velocities;
@@ -78,22 +45,8 @@ private:
             hit);
     }
 
-    /// Of those that come from all around, and of slow ones.
-    void findUnanswered()
+    void findSlow()
     {
-        for (std::size_t i = 0; i < m_own.contacts.size(); ++i) {
-            const PairHit &hit = m_own.contacts[i];
-            if (hit.answered || hit.held || !m_right.contacts[i].isMet())
-                continue;
-            add(ContactText::tr("Not every meeting is answered"),
-                ContactText::tr("With their line of centres at %1° they came nearer with %2 m/s "
-                                "along it and ran into each other; other meetings are answered. "
-                                "What counts is whether they overlap, and whether the velocity of "
-                                "one relative to the other has a part along that line.")
-                    .arg(brief(hit.meeting.degrees), brief(hit.slowness * hit.meeting.closing())),
-                withStepOf(hit, m_right.contacts[i]));
-            return;
-        }
         if (!m_own.slow || !m_right.slow || m_own.slow->answered || m_own.slow->held
             || !m_right.slow->isMet() || !answersAny(m_own.equals))
             return;
@@ -121,13 +74,14 @@ private:
                 ContactText::tr(
                     "Circle 2 was hit, was back from the wall close behind it within a "
                     "few steps and ran into circle 1 without an answer; from a wall "
-                    "farther off it gets one. How long ago the last hit was does not matter: what "
-                    "counts is whether they overlap and come nearer."),
+                    "farther off it gets one. What counts is whether they overlap and come nearer, "
+                    "not when the last hit was, nor whether a wall is near."),
                 m_own.contacts.front());
         add(ContactText::tr("A later hit is not answered"),
-            ContactText::tr("Circle 2 was hit, came back from the wall behind it and ran through "
-                            "circle 1. What your program remembers of a hit must be forgotten when "
-                            "they have parted."),
+            ContactText::tr(
+                "Circle 2 was hit, came back from the wall behind it and ran through "
+                "circle 1. What counts is whether they overlap and come nearer: look at "
+                "what else is asked, and at what your program keeps of a hit."),
             m_own.contacts.front());
     }
 

@@ -67,6 +67,12 @@ struct Condition {
     /// The limit lies between that of the last right one and that of the first wrong one.
     double inside = 0.0;
     double outside = 0.0;
+
+    [[nodiscard]] bool isOfPlace() const
+    {
+        return kind == Kind::Above || kind == Kind::Below || kind == Kind::LeftOf
+               || kind == Kind::RightOf;
+    }
 };
 
 /// \return nothing where all of \p occasions come out alike; Sometimes, too, where several things

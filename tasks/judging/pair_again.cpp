@@ -44,13 +44,14 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
     const auto at = [&](Vec2 place) {
         const double distance = aim + 2.4 * std::abs(meeting.closing()) * shortStep;
         PairOccasion one{{.meeting = meeting, .slowness = slowness(shortStep)}, {.place = place}};
-        one.hit.stage = stageOf(meeting, distance, aim, shortStep, place);
+        one.hit.meeting.middle = place;
+        one.hit.stage = stageOf(one.hit.meeting, distance, aim, shortStep);
         return one;
     };
     std::vector<PairOccasion> all{
         {model,
          {.time = static_cast<double>(model.step) * model.stage.preset.timestep,
-          .place = usualMiddle}}};
+          .place = meeting.middle}}};
     PairOccasion late = at(places.back());
     LongRun lateRun(m_program, m_ground, late.hit.stage.preset);
     lateRun.wait(lateStart);

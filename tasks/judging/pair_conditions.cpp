@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/condition_comparison.h"
+#include "tasks/judging/meeting_division.h"
 #include "tasks/judging/response_laws.h"
 #include "tasks/judging/response_reading.h"
 
@@ -37,6 +38,15 @@ private:
                       }));
     }
 
+    /// Whether those that are answered have something else in common than a place: who comes from
+    /// one side alone has only some places on the way.
+    [[nodiscard]] bool isOfOther() const
+    {
+        const auto &varied = m_own.pair().varied;
+        const auto division = divisionOf(varied, arePushedAlong(m_right.pair()));
+        return !varied.empty() && (!division || division->kind != MeetingDivision::Kind::Place);
+    }
+
     void judgePair(Aspect aspect)
     {
         const auto &own = m_own.pairAgain();
@@ -53,7 +63,8 @@ private:
                 series.add(own[i], right[i], isSameAnswer(hit.leftParts(), good.leftParts()));
         }
         const auto condition = conditionOf(series.when);
-        if (!condition || isSaid(condition->kind))
+        if (!condition || isSaid(condition->kind)
+            || (aspect == Aspect::Contact && condition->isOfPlace() && isOfOther()))
             return;
         const auto &[seen, good] = series.firstWrong();
         const bool isContact = aspect == Aspect::Contact;

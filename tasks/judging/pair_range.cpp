@@ -136,7 +136,7 @@ std::optional<PairHit> PairRange::own() const
     return std::nullopt;
 }
 
-Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h, Vec2 middle) const
+Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h) const
 {
     Preset preset = m_ground.stage();
     preset.timestep = h;
@@ -149,7 +149,7 @@ Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h
     const PairVelocities &v = m.velocities;
     const double time = m.closing() > 0.0 ? (distance - aim) / m.closing() : 0.0;
     const auto place = [&](double along, double across) {
-        return middle + along * distance * n - time * across * t;
+        return m.middle + along * distance * n - time * across * t;
     };
     const auto velocity = [&](double along, double across) {
         return slowness(h) * (along * n + across * t);

@@ -35,6 +35,10 @@ public:
     /// Overlaps and moves apart: one step.
     [[nodiscard]] PairHit part(const Meeting &meeting) const;
 
+    /// In many ways, each in a run of its own: from all sides, here and there, one of them or both
+    /// coming, of all sizes that the step asks about.
+    [[nodiscard]] std::vector<PairHit> varied(double restitution) const;
+
     /// The same meeting in one long run, here and there, early and late.
     /// \param model  what look() shows of it at the start of a run
     [[nodiscard]] std::vector<PairOccasion> again(const PairHit &model) const;
@@ -67,10 +71,7 @@ private:
 
     /// \param distance  of the centres at the start, m
     /// \param aim       when they are so far apart, they stand along the line that is asked for, m
-    /// \param middle    of the two, m
-    [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h,
-                                Vec2 middle = usualMiddle) const;
-    static constexpr Vec2 usualMiddle{0.17, -0.23};
+    [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h) const;
     static constexpr double shortStep = 1e-4; ///< s: the line of centres hardly turns in a step
     static constexpr int fewSteps = 8;
 

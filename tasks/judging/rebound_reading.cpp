@@ -4,7 +4,7 @@
 
 namespace cradle {
 
-Rebound reboundOf(const PairHit &hit)
+Rebound reboundOf(const PairHit &hit, double heavy)
 {
     if (!hit.isMet())
         return {.e = hit.meeting.restitution, .first = -1.0, .second = -1.0};
@@ -12,8 +12,8 @@ Rebound reboundOf(const PairHit &hit)
     const PairVelocities out = hit.leftParts();
     const double u = in.along1 - in.along2;
     return {.e = hit.meeting.restitution,
-            .first = 2.0 * (in.along1 - out.along1) / u - 1.0,
-            .second = 2.0 * (out.along2 - in.along2) / u - 1.0,
+            .first = (1.0 + heavy) / heavy * (in.along1 - out.along1) / u - 1.0,
+            .second = (1.0 + heavy) * (out.along2 - in.along2) / u - 1.0,
             .across1 = out.across1 / in.across1,
             .across2 = out.across2 / in.across2,
             .sum = (out.along1 + out.along2) / (in.along1 + in.along2)};

@@ -9,7 +9,8 @@ namespace cradle {
 /// How two equal circles came out of a hit with some e.
 struct Rebound {
     double e = 1.0;
-    /// The e that fits the push of each: 2 |Δv| / u − 1, with the closing speed u.
+    /// The e that fits the push of each: |Δv| / (s u) − 1, with the closing speed u and the share
+    /// s that is the mass of the other of both masses.
     double first = 1.0;
     double second = 1.0;
     double across1 = 1.0; ///< part across after / before
@@ -17,6 +18,7 @@ struct Rebound {
     double sum = 1.0; ///< of both parts along the normal, after / before
 };
 
-[[nodiscard]] Rebound reboundOf(const PairHit &hit);
+/// \param heavy  how many times as heavy circle 2 is for the program
+[[nodiscard]] Rebound reboundOf(const PairHit &hit, double heavy = 1.0);
 
 } // namespace cradle

@@ -25,10 +25,12 @@ public:
         : m_own(own)
         , m_right(right)
     {
+        // Whose masses are wrong has been said; they share the push by those.
+        const double heavy = fixedMassRatio(own).value_or(1.0);
         for (const PairHit &hit : own.rebounds)
-            m_all.push_back(reboundOf(hit));
+            m_all.push_back(reboundOf(hit, heavy));
         for (const PairHit &hit : own.equals)
-            m_elastic.push_back(reboundOf(hit));
+            m_elastic.push_back(reboundOf(hit, heavy));
     }
 
     [[nodiscard]] ReboundReading read()
@@ -203,8 +205,8 @@ private:
                 m_reading.explainsElastic = !m_isElastic;
                 return true;
             }
-            add(one || two ? ReboundText::tr("Only in the new velocity of circle %1: %2")
-                                 .arg(QString::number(one ? 1 : 2), law.headline)
+            add(one || two ? ReboundText::tr("%1, in the new velocity of circle %2 alone")
+                                 .arg(law.headline, QString::number(one ? 1 : 2))
                            : law.headline);
             m_reading.explainsElastic = !m_isElastic;
             return true;

@@ -126,6 +126,11 @@ private:
                 hit);
         else if (ratio)
             return; // massDeviations() says so
+        else if (const std::vector<int> wrong = wrongIn(hits); !momentum && wrong.size() == 1)
+            add(ResponseText::tr("Circle %1 leaves a hit as it should, circle %2 does not")
+                    .arg(2 - wrong.front())
+                    .arg(wrong.front() + 1),
+                describeEquals(hit, right) + lawOfPart(hits, wrong.front()), hit);
         else if (!momentum)
             add(ResponseText::tr("The pushes on the two circles are not equal and opposite"),
                 describeEquals(hit, right) + QLatin1Char(' ')
@@ -137,8 +142,10 @@ private:
                 describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("The parts across it must stay as they were."),
                 hit);
-        else
-            add(sizeHeadline(hits), describeEquals(hit, right), hit);
+        else {
+            const SizeOfPush size = sizeOfPush(m_own, m_right, hit, right);
+            add(size.headline, describeEquals(hit, right) + size.seen, hit);
+        }
         m_reading.said->message += otherLine(hits, hit);
         m_reading.said->moment.circles = wrongIn(hits);
         if (!along && momentum && !across)
@@ -179,21 +186,6 @@ private:
                + ResponseText::tr("Here the line of centres was at %1°; with %2° the hits come out "
                                   "right.")
                      .arg(brief(hit.meeting.degrees), brief(other->hit.meeting.degrees));
-    }
-
-    static QString sizeHeadline(const std::vector<EqualHit> &hits)
-    {
-        const auto factorOf = [](const EqualHit &h) {
-            return (h.hit.leftParts().along1 - h.in.along1) / (h.right.along1 - h.in.along1);
-        };
-        const double factor = factorOf(hits.front());
-        const bool same = std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
-            return isAlike(factorOf(h), factor, 0.01);
-        });
-        return same ? ResponseText::tr("Between equal circles the push is %1 times as large as it "
-                                       "should be")
-                          .arg(brief(factor))
-                    : ResponseText::tr("The push along the line of centres has the wrong size");
     }
 
     const MeasuredPair &m_own;

@@ -20,6 +20,20 @@ struct EqualReading {
 [[nodiscard]] EqualReading equalReading(const MeasuredPair &own, const MeasuredPair &right,
                                         bool isExplained);
 
+/// What the new part along the line of centres of one circle, from 0, is made of: so much of that
+/// of circle 1 before the hit, and so much of that of circle 2. Begins with a blank; empty if it is
+/// not the same in all \p hits.
+[[nodiscard]] QString lawOfPart(const std::vector<EqualHit> &hits, int circle);
+
+/// An equal and opposite push along the line of centres that has a wrong length.
+struct SizeOfPush {
+    QString headline{};
+    QString seen{}; ///< on what it depends; begins with a blank
+};
+/// A factor is told only if circles of another size, and in a longer step, follow it, too.
+[[nodiscard]] SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right,
+                                    const PairHit &hit, const PairHit &good);
+
 /// That in a second hit something counts that was kept from the first.
 [[nodiscard]] std::optional<LawDeviation> laterDeviation(const MeasuredPair &own,
                                                          const MeasuredPair &right);

@@ -32,8 +32,11 @@ inline constexpr double ratioBlur = 0.01;
 /// Whether all came along the line of centres, so that nothing depends on where exactly they met.
 [[nodiscard]] bool isHeadOn(const PairHit &hit);
 
+/// Whether a hit changed the velocity of one circle alone.
+[[nodiscard]] bool isOnePushed(const PairHit &hit);
+
 /// How many times as heavy circle 2 is, by what the pushes did: |Δv₁| / |Δv₂|; nothing if they
-/// are not opposite.
+/// are not opposite. Where one alone is pushed, as its share of what parts them tells.
 [[nodiscard]] std::optional<double> massRatio(const PairHit &hit);
 
 /// The exponents p and s in mass ∝ r^p ρ^s that the hits of a program follow; nothing where they

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/contact_comparison.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace cradle {
+
+using Kind = MeetingDivision::Kind;
+
+DividedMeetings::DividedMeetings(const MeasuredPair &own, const MeasuredPair &right,
+                                 const Ground &ground)
+    : ContactComparison(own, right, ground)
+    , m_division(divisionOf(own.varied, arePushedAlong(right)))
+{
+    for (const PairHit &hit : own.varied) {
+        if (!hit.stopped && !hit.isHeldAlone())
+            (isRight(hit) ? m_answered : m_missed).push_back(&hit);
+    }
+}
+
+bool DividedMeetings::isRight(const PairHit &hit) const
+{
+    const bool isOfDirection = m_division && m_division->isOfDirection;
+    return hit.isInTime() && (!isOfDirection || hit.isAlongCentres());
+}
+
+bool DividedMeetings::isOfWay() const
+{
+    return m_division && m_division->kind != Kind::Coming && m_division->kind != Kind::Size
+           && !isDirectionWrong();
+}
+
+std::optional<LawDeviation> DividedMeetings::said(bool isKnown)
+{
+    const bool isComing = m_division && m_division->kind == Kind::Coming;
+    const bool isSize = m_division && m_division->kind == Kind::Size;
+    const auto isMet = [](const PairHit &hit) { return hit.isMet(); };
+    if (m_answered.empty() || m_missed.empty()
+        || !std::all_of(m_right.contacts.begin(), m_right.contacts.end(), isMet)
+        || (isKnown && !isComing) || (isDirectionWrong() && !isComing && !isSize))
+        return std::nullopt;
+    tell();
+    return std::move(m_found.front());
+}
+
+void DividedMeetings::tell()
+{
+    const PairHit &missed = plainest(m_missed);
+    QString body =
+        (m_division && m_division->isOfDirection
+             ? ContactText::tr("Of %1 meetings of all kinds %2 were answered by the time that the "
+                               "rims met, and along the line of centres, those and no others.")
+         : m_division
+             ? ContactText::tr("Of %1 meetings of all kinds %2 were answered by the time that the "
+                               "rims met, those and no others.")
+             : ContactText::tr("Of %1 meetings of all kinds %2 were answered by the time that the "
+                               "rims met."))
+            .arg(m_answered.size() + m_missed.size())
+            .arg(m_answered.size());
+    body += QLatin1Char(' ') + ContactText::tr("One that was not: %1.").arg(describe(missed))
+            + QLatin1Char(' ')
+            + ContactText::tr("One that was: %1.").arg(describe(plainest(m_answered)))
+            + QLatin1Char(' ');
+    const bool isSide = m_division && m_division->kind == Kind::Side;
+    body += isSide
+                ? ContactText::tr("Look at what changes from one side to the other, such as the "
+                                  "sign of a difference of two positions, and an angle that is "
+                                  "worked out from it.")
+                : ContactText::tr("What counts is whether they overlap, and whether the velocity "
+                                  "of one relative to the other closes the gap along the line "
+                                  "of centres.");
+    const bool answersAll = std::all_of(m_missed.begin(), m_missed.end(),
+                                        [](const PairHit *hit) { return hit->answered; });
+    add(!m_division ? ContactText::tr("Not every meeting is answered")
+        : m_division->isOfDirection
+            ? ContactText::tr("Hits come out right only %1").arg(m_division->phrase)
+        : answersAll ? ContactText::tr("Hits are answered in time only %1").arg(m_division->phrase)
+                     : ContactText::tr("Hits are answered only %1").arg(m_division->phrase),
+        body, whereTheyTouch(missed), isSide ? Suspect::Formula : Suspect::Question);
+    if (isSide)
+        m_found.back().topic = Topic::Direction;
+}
+
+/// One of \p hits, not empty, in which both move, if there is one.
+const PairHit &DividedMeetings::plainest(const std::vector<const PairHit *> &hits)
+{
+    const auto found = std::find_if(hits.begin(), hits.end(), [](const PairHit *hit) {
+        const PairVelocities &v = hit->meeting.velocities;
+        return v.along1 != 0.0 && v.along2 != 0.0;
+    });
+    return found == hits.end() ? *hits.front() : **found;
+}
+
+QString DividedMeetings::describe(const PairHit &hit) const
+{
+    const Meeting &m = hit.meeting;
+    const Vec2 n{std::cos(m.degrees * std::numbers::pi / 180.0),
+                 std::sin(m.degrees * std::numbers::pi / 180.0)};
+    const auto velocity = [&](double along, double across) {
+        return brief(hit.slowness * (along * n + across * perpendicular(n)));
+    };
+    QStringList parts{
+        ContactText::tr("circle 1 came with %1 m/s, circle 2 with %2 m/s")
+            .arg(velocity(m.velocities.along1, m.velocities.across1),
+                 velocity(m.velocities.along2, m.velocities.across2)),
+        ContactText::tr("their line of centres, from 1 to 2, at %1°").arg(brief(m.degrees)),
+        ContactText::tr("near %1 m").arg(brief(m.middle))};
+    if (m_ground.pair.radii.isVaried())
+        parts.append(QStringLiteral("r₁ = %1, r₂ = %2 m").arg(brief(m.radius1), brief(m.radius2)));
+    if (m_ground.pair.densities.isVaried())
+        parts.append(QStringLiteral("ρ₁ = %1, ρ₂ = %2").arg(brief(m.density1), brief(m.density2)));
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace cradle

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/measured_pair.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace cradle {
+
+/// What those meetings have in common that are answered when they come, and no others; or answered
+/// along the line of centres.
+struct MeetingDivision {
+    enum class Kind {
+        Side,   ///< on which side of circle 1 the other is
+        Coming, ///< who comes nearer, along the line of centres
+        Way,    ///< where to they move, in x and y
+        Size,   ///< or masses
+        Speed,
+        Place, ///< where in the square they meet
+    };
+    Kind kind = Kind::Side;
+    QString phrase{};           ///< "where circle 1 moves to the right": to stand behind "only"
+    bool isOfDirection = false; ///< others are answered, but not along the line of centres
+};
+
+/// \param hits      of many kinds
+/// \param isAlong   whether all should be answered along the line of centres
+/// \return nothing where all or none are answered, or nothing that is known divides them
+[[nodiscard]] std::optional<MeetingDivision> divisionOf(const std::vector<PairHit> &hits,
+                                                        bool isAlong);
+
+} // namespace cradle

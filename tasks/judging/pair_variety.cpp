@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/pair_range.h"
+
+namespace cradle {
+
+namespace {
+
+/// The \p k-th of numbers that fill the range from 0 to 1 evenly, for each \p quantity others.
+double spread(int k, int quantity)
+{
+    constexpr double primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41};
+    const double all = (k + 1) * std::sqrt(primes[quantity]);
+    return all - std::floor(all);
+}
+
+/// Of so many digits that a reader can reckon with it.
+double between(double low, double high, double share)
+{
+    return std::round(100.0 * (low + share * (high - low))) / 100.0;
+}
+
+/// Who comes how: each alone, one after the other, and both at once, also equally fast.
+PairVelocities comingOf(int k, const Ground::Pair &asked)
+{
+    const double closing = between(0.6, 1.6, spread(k, 0));
+    const double other = between(0.2, 0.8, spread(k, 1));
+    PairVelocities v{.along1 = closing};
+    if (asked.bothMove) {
+        switch (k % 6) {
+        case 0:
+            break;
+        case 1:
+            v = {.along2 = -closing};
+            break;
+        case 2: // exactly so, also when the line of centres has turned
+            return {.along1 = 0.5 * closing, .along2 = -0.5 * closing};
+        case 3:
+            v = {.along1 = closing + other, .along2 = other};
+            break;
+        case 4:
+            v = {.along1 = -other, .along2 = -other - closing};
+            break;
+        default:
+            v = {.along1 = other * closing, .along2 = -(1.0 - other) * closing};
+        }
+    }
+    // So oblique that they move to one side while the other is on another.
+    const double slide =
+        asked.oblique ? closing * between(0.25, 0.45, spread(k, 3)) * (k % 4 < 2 ? 1.0 : -1.0)
+                      : 0.0;
+    if (v.along1 == 0.0 || v.along2 == 0.0) {
+        (v.along1 == 0.0 ? v.across2 : v.across1) = slide; // who rests does
+        return v;
+    }
+    const double common = between(-0.9, 0.9, spread(k, 2));
+    v.across1 = common + 0.5 * slide;
+    v.across2 = common - 0.5 * slide;
+    return v;
+}
+
+} // namespace
+
+std::vector<PairHit> PairRange::varied(double restitution) const
+{
+    constexpr int meetings = 36;
+    constexpr int mostSteps = 40;
+    const Ground::Pair &asked = m_ground.pair;
+    const auto pairOf = [](const Ground::Range &range, int k, int quantity, bool isEqual) {
+        const double one = between(range.low, range.high, spread(k, quantity));
+        const double two = between(range.low, range.high, spread(k, quantity + 1));
+        return range.isVaried() && !isEqual ? std::pair(one, two) : std::pair(one, one);
+    };
+    std::vector<PairHit> hits;
+    for (int k = 0; k < meetings; ++k) {
+        // Hardly to one side differs hardly from the other.
+        Meeting m;
+        const double off = std::round(10.0 + (k % 3 == 0 ? 70.0 : 12.0) * spread(k, 4));
+        m.degrees = 90.0 * std::floor(4.0 * spread(k, 11)) + (k % 3 == 1 ? 90.0 - off : off);
+        std::tie(m.radius1, m.radius2) = pairOf(asked.radii, k, 5, k % 5 == 0);
+        std::tie(m.density1, m.density2) = pairOf(asked.densities, k, 7, k % 7 < 2);
+        m.restitution = restitution;
+        m.velocities = comingOf(k, asked);
+        m.middle = {between(-2.3, 2.3, spread(k, 9)), between(-2.3, 2.3, spread(k, 10))};
+        const double way = m.closing() * m_h;
+        hits.push_back(meet(m, m.sum() + 2.4 * way, m.sum(), m_h, mostSteps));
+    }
+    return hits;
+}
+
+} // namespace cradle

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/likeness.h"
+#include "tasks/judging/response_law_words.h"
+#include "tasks/judging/response_reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cradle {
+
+QString lawOfPart(const std::vector<EqualHit> &hits, int circle)
+{
+    const auto partOf = [&](const PairVelocities &v) { return circle == 0 ? v.along1 : v.along2; };
+    // The least squares of c₁ u₁ + c₂ u₂ − u.
+    double a11 = 0.0;
+    double a12 = 0.0;
+    double a22 = 0.0;
+    double b1 = 0.0;
+    double b2 = 0.0;
+    for (const EqualHit &h : hits) {
+        const double part = partOf(h.hit.leftParts());
+        a11 += h.in.along1 * h.in.along1;
+        a12 += h.in.along1 * h.in.along2;
+        a22 += h.in.along2 * h.in.along2;
+        b1 += h.in.along1 * part;
+        b2 += h.in.along2 * part;
+    }
+    const double det = a11 * a22 - a12 * a12;
+    if (det < 0.01 * a11 * a22 || a22 == 0.0)
+        return {};
+    const double of1 = (b1 * a22 - b2 * a12) / det;
+    const double of2 = (a11 * b2 - a12 * b1) / det;
+    const bool holds = std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+        // Where they do not exchange their parts, other numbers are right.
+        return isAlike(of1 * h.in.along1 + of2 * h.in.along2, partOf(h.hit.leftParts()), 5e-3)
+               && isAlike(h.right.along1, h.in.along2, 5e-3);
+    });
+    if (!holds)
+        return {};
+    const auto number = [](double x) { return brief(std::round(x * 100.0) / 100.0); };
+    return QLatin1Char(' ')
+           + ResponseText::tr("In all these hits the new part of circle %1 along that line was %2 "
+                              "times that of circle 1 before the hit and %3 times that of circle "
+                              "2; right is %4 and %5 times.")
+                 .arg(QString::number(circle + 1), number(of1), number(of2),
+                      QString::number(circle), QString::number(1 - circle));
+}
+
+namespace {
+
+/// How many times as large as it should be the push is that parts two circles.
+double factorOf(const PairHit &own, const PairHit &right)
+{
+    const PairVelocities in = own.cameParts();
+    return (own.leftParts().along1 - in.along1) / (rightFor(in, right).along1 - in.along1);
+}
+
+/// Hits of two programs.
+using HitPair = std::pair<const PairHit *, const PairHit *>;
+
+/// Those of two equal circles in very short steps; first the usual ones, whose circles are alike.
+std::vector<HitPair> equalHits(const MeasuredPair &own, const MeasuredPair &right)
+{
+    std::vector<HitPair> all;
+    const auto add = [&](const PairHit &mine, const PairHit &good) {
+        if (mine.meeting.radius1 == mine.meeting.radius2
+            && mine.meeting.density1 == mine.meeting.density2 && mine.isMet() && mine.isAligned()
+            && good.isMet() && good.isAligned())
+            all.emplace_back(&mine, &good);
+    };
+    for (const auto &[mine, good] :
+         {std::pair(&own.equals, &right.equals), std::pair(&own.radii, &right.radii),
+          std::pair(&own.densities, &right.densities)}) {
+        for (std::size_t i = 0; i < mine->size(); ++i)
+            add((*mine)[i], (*good)[i]);
+    }
+    if (own.larger && right.larger)
+        add(*own.larger, *right.larger);
+    return all;
+}
+
+} // namespace
+
+SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const PairHit &hit,
+                      const PairHit &good)
+{
+    const double factor = factorOf(hit, good);
+    const Meeting &m = hit.meeting;
+    for (const auto &[mine, theirs] : equalHits(own, right)) {
+        const double other = factorOf(*mine, *theirs);
+        const Meeting &o = mine->meeting;
+        if (isAlike(other, factor, 0.01))
+            continue;
+        if (o.radius1 == m.radius1 && o.density1 == m.density1)
+            return {ResponseText::tr("The push along the line of centres has the wrong size")};
+        if (o.density1 == m.density1)
+            return {
+                ResponseText::tr("The push has a wrong size that depends on the radius"),
+                QLatin1Char(' ')
+                    + ResponseText::tr("With r = %1 m for both the push is %2 times as large "
+                                       "as it should be, with r = %3 m it is %4 times.")
+                          .arg(brief(m.radius1), brief(factor), brief(o.radius1), brief(other))};
+        return {ResponseText::tr("The push has a wrong size that depends on the circles"),
+                QLatin1Char(' ')
+                    + ResponseText::tr("With r = %1 m and ρ = %2 for both the push is %3 times as "
+                                       "large as it should be, with r = %4 m and ρ = %5 it is %6 "
+                                       "times.")
+                          .arg(brief(m.radius1), brief(m.density1), brief(factor), brief(o.radius1),
+                               brief(o.density1), brief(other))};
+    }
+    for (std::size_t i = 0; i < own.contacts.size(); ++i) {
+        const PairHit &mine = own.contacts[i];
+        const PairHit &theirs = right.contacts[i];
+        if (mine.meeting.radius1 != mine.meeting.radius2 || !mine.isMet() || !theirs.isMet())
+            continue;
+        // The line of centres turns in such a step, which blurs the numbers.
+        const double other = factorOf(mine, theirs);
+        if (isAlike(other, factor, 0.1))
+            continue;
+        return {ResponseText::tr("The push has a wrong size that depends on the timestep"),
+                QLatin1Char(' ')
+                    + ResponseText::tr("With a timestep of %1 s the push is %2 times as large as "
+                                       "it should be, and with %3 s about %4 times.")
+                          .arg(briefTimestep(hit.stage.preset.timestep), brief(factor),
+                               briefTimestep(mine.stage.preset.timestep), brief(other))};
+    }
+    return {ResponseText::tr("Between equal circles the push is %1 times as large as it should be")
+                .arg(brief(factor))};
+}
+
+} // namespace cradle
