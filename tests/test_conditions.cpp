@@ -157,6 +157,13 @@ void TestConditions::conditionIsNamed_data()
          "Hits at the left wall, right wall and floor turn both circles round only above a height "
          "between y = ",
          {.walls = "c.position.y > 0"});
+    rows("walls one way", {"L42T7", "L42T12"},
+         "Hits at the left wall, floor and ceiling turn both circles round only with a velocity "
+         "that points right",
+         {.walls = "c.velocity.x > 0"});
+    rows("walls of the fast", {"L42T12"},
+         "Hits at the walls turn both circles round only from a speed between ",
+         {.walls = "c.velocity:length() > 3"});
     rows("walls once", {"L42T7", "L42T12", "L42T17"},
          "Hits at the walls turn both circles round only the first time",
          {.start = "done = false", .walls = "not done", .turned = "done = true"});

@@ -165,7 +165,9 @@ void TestWallLaw::wordsOfAStepWithoutLosesDoNotSpeakOfThem()
         const QString walls = wallsOf(wallWays[1], "c.radius", back);
         return step.walls(written(withWalls(walls), structures[3]));
     };
-    QCOMPARE(said("0"), QStringList(text("Hits at the walls stop both circles")));
+    QCOMPARE(
+        said("0"),
+        QStringList(text("Hits at the walls take the part of both circles along the normal away")));
     QCOMPARE(said("0.9"),
              QStringList(text("Hits at the walls give both circles 0.9 times the speed back")));
     QCOMPARE(said("2 / math.abs(v)"),
@@ -271,6 +273,9 @@ void TestWallLaw::oneCircleIsNamedForItsOwnWalls()
     QCOMPARE(
         step.walls(written(withWalls(first), structures[3])),
         QStringList(text("At the walls the radius of another circle stands for that of circle 2")));
+    const QString larger = wallsOf(wallWays[0], "math.max(circle1.radius, circle2.radius)", "1");
+    QCOMPARE(step.walls(written(withWalls(larger), structures[3])),
+             QStringList(text("At the walls the larger radius stands for that of both circles")));
     const QString open = QStringLiteral("if c.index == 1 then ") + good + QStringLiteral(" end");
     QCOMPARE(step.walls(written(withWalls(open), structures[3])),
              QStringList(text("No wall turns circle 2 round")));

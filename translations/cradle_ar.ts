@@ -3687,14 +3687,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>أقلّها عاد عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩ نحوه، وأكثرها عند ⁨%3⁩ بسرعة ⁦%4 m/s⁩.</translation>
     </message>
     <message>
-        <source>Hits at the %walls give %who only e of the speed back</source>
-        <translation>التصادمات عند %walls لا تعيد إلى %who إلا السرعة مضروبةً في e</translation>
-    </message>
-    <message>
-        <source>In this step walls give all of it back, whatever e is: e belongs to the hits of the circles.</source>
-        <translation>في هذه الخطوة تعيد الجدران السرعة كلها مهما كان e: فمكان e تصادماتُ الدائرتين.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls give %who all of the speed back</source>
         <translation>التصادمات عند %walls تعيد إلى %who كل السرعة</translation>
     </message>
@@ -3709,10 +3701,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>At the %walls the root of e acts on %who</source>
         <translation>عند %walls يؤثر جذر e في %who</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls stop %who</source>
-        <translation>التصادمات عند %walls توقف %who</translation>
     </message>
     <message>
         <source>Of the part along the normal nothing comes back.</source>
@@ -4144,6 +4132,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
         <translation>تغادر الدائرة ⁨%1⁩ التصادم كما يجب ولا تغادره الدائرة ⁨%2⁩ كذلك</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take the part of %who along the normal away</source>
+        <translation>التصادمات عند %walls تأخذ مركّبة %who على امتداد العمودي</translation>
     </message>
 </context>
 <context>

@@ -3663,14 +3663,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Am wenigsten kam an %1 mit %2 m/s hinein zurück, am meisten an %3 mit %4 m/s.</translation>
     </message>
     <message>
-        <source>Hits at the %walls give %who only e of the speed back</source>
-        <translation>An %walls kommt für %who nur das e-Fache des Tempos zurück</translation>
-    </message>
-    <message>
-        <source>In this step walls give all of it back, whatever e is: e belongs to the hits of the circles.</source>
-        <translation>In diesem Schritt geben Wände alles zurück, wie groß e auch ist: e gehört zu den Stößen der Kreise.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls give %who all of the speed back</source>
         <translation>An %walls kommt für %who das ganze Tempo zurück</translation>
     </message>
@@ -3685,10 +3677,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>At the %walls the root of e acts on %who</source>
         <translation>An %walls wirkt die Wurzel aus e auf %who</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls stop %who</source>
-        <translation>Stöße an %walls halten %who an</translation>
     </message>
     <message>
         <source>Of the part along the normal nothing comes back.</source>
@@ -4120,6 +4108,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
         <translation>Kreis %1 verlässt einen Stoß, wie er soll, Kreis %2 nicht</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take the part of %who along the normal away</source>
+        <translation>Stöße an %walls nehmen für %who den Anteil längs der Normalen weg</translation>
     </message>
 </context>
 <context>

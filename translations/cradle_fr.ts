@@ -3663,14 +3663,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Le moins est revenu contre %1 avec %2 m/s vers elle, le plus contre %3 avec %4 m/s.</translation>
     </message>
     <message>
-        <source>Hits at the %walls give %who only e of the speed back</source>
-        <translation>Les chocs contre %walls ne rendent que e fois la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>In this step walls give all of it back, whatever e is: e belongs to the hits of the circles.</source>
-        <translation>À cette étape, les parois rendent tout, quel que soit e&#xa0;: e appartient aux chocs entre cercles.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls give %who all of the speed back</source>
         <translation>Les chocs contre %walls rendent toute la vitesse, pour %who</translation>
     </message>
@@ -3685,10 +3677,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>At the %walls the root of e acts on %who</source>
         <translation>Contre %walls, c&apos;est la racine de e qui agit sur %who</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls stop %who</source>
-        <translation>Les chocs contre %walls arrêtent %who</translation>
     </message>
     <message>
         <source>Of the part along the normal nothing comes back.</source>
@@ -4120,6 +4108,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
         <translation>Le cercle %1 repart d&apos;un choc comme il faut, le cercle %2 non</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take the part of %who along the normal away</source>
+        <translation>Les chocs contre %walls suppriment la composante le long de la normale, pour %who</translation>
     </message>
 </context>
 <context>

@@ -37,7 +37,7 @@ public:
                 continue;
             if (hit.isLost)
                 continue;
-            if (hit.held && right.turned)
+            if (hit.held && right.turned && !isTurnedElse(hit))
                 odd.push_back(i);
             else if (hit.turned && right.turned
                      && (!isNear(hit.back, right.back, blur())
@@ -66,6 +66,14 @@ public:
     }
 
 private:
+    /// Whether that wall turns that circle in another throw: then where or when is what is wrong.
+    [[nodiscard]] bool isTurnedElse(const WallHit &held) const
+    {
+        return std::any_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            return hit.circle == held.circle && hit.wall == held.wall && hit.turned;
+        });
+    }
+
     [[nodiscard]] double blur() const { return std::max(m_own.blur, m_right.blur); }
 
     [[nodiscard]] QString seenAt(const WallHit &hit, const WallHit &right) const
@@ -167,10 +175,8 @@ private:
                         .arg(brief(*speed))};
         if (hit.back < 0.0)
             return {WallText::tr("Hits at the %walls do not turn %who round"),
-                    isAlike(hit.back, -hit.restitution, 0.05)
-                        ? WallText::tr("Its velocity still points into the wall: look at the sign.")
-                        : WallText::tr("Its velocity still points into the wall: look at what it "
-                                       "is worked out from.")};
+                    WallText::tr("Its velocity still points into the wall: look at what it is "
+                                 "worked out from.")};
         // A share that is seen with one e alone is no law.
         if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
             return {WallText::tr("Hits at the %walls do not give %who e times the speed back"),
@@ -191,8 +197,10 @@ private:
                 WallText::tr("Hits at the %walls give %who between %1 and %2 times the speed back")
                     .arg(brief(least), brief(most)),
                 extremes(m_own.hits[*lowest], m_own.hits[*highest])};
+        const double asked = rightOf(static_cast<std::size_t>(&hit - m_own.hits.data())).back;
         return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
-                    .arg(brief(hit.back)),
+                    .arg(brief(hit.back) == brief(asked) ? motion::figureBeside(hit.back, asked)
+                                                         : brief(hit.back)),
                 lookAtNew()};
     }
 
@@ -263,11 +271,7 @@ private:
     {
         const QString look = WallText::tr("Its velocity still points into the wall: look at the "
                                           "sign.");
-        return {{[](double e) { return e; }, true,
-                 WallText::tr("Hits at the %walls give %who only e of the speed back"),
-                 WallText::tr("In this step walls give all of it back, whatever e is: e belongs to "
-                              "the hits of the circles.")},
-                {[](double) { return 1.0; }, true,
+        return {{[](double) { return 1.0; }, true,
                  WallText::tr("Hits at the %walls give %who all of the speed back"),
                  WallText::tr("Whatever e is, nothing of it is lost.")},
                 {[](double e) { return e * e; }, true,
@@ -276,7 +280,8 @@ private:
                 {[](double e) { return std::sqrt(e); }, true,
                  WallText::tr("At the %walls the root of e acts on %who"),
                  WallText::tr("Heights go with e², speeds with e.")},
-                {[](double) { return 0.0; }, false, WallText::tr("Hits at the %walls stop %who"),
+                {[](double) { return 0.0; }, false,
+                 WallText::tr("Hits at the %walls take the part of %who along the normal away"),
                  WallText::tr("Of the part along the normal nothing comes back.")},
                 {[](double e) { return 1.0 - e; }, true,
                  WallText::tr("At the %walls 1 − e stands where e belongs, for %who"),

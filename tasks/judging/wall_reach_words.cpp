@@ -133,8 +133,11 @@ private:
     [[nodiscard]] bool fitsAll(const Reach &reach, int circle, const std::set<Wall> &walls) const
     {
         return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-            return hit.circle != circle || !(hit.turned || hit.held) || hit.isLost
-                   || !walls.contains(hit.wall) || hit.fits(reach.distance(hit));
+            if (hit.circle != circle || !hit.isAnswered() || !walls.contains(hit.wall))
+                return true;
+            // Who is held at the rim has not come to where it would be turned.
+            const double distance = reach.distance(hit);
+            return hit.held && hit.fits(hit.radius) ? distance < hit.reached : hit.fits(distance);
         });
     }
 
