@@ -196,7 +196,6 @@ void TestLineOfValue::findingMarksTheLine_data()
     helper("relative velocity, sum", "local rel = a.velocity - b.velocity",
            "local rel = a.velocity + b.velocity");
     helper("closing speed: length", "local closing = dot(rel, n)", "local closing = rel:length()");
-    helper("closing speed: along x", "local closing = dot(rel, n)", "local closing = rel.x * n.x");
     helper("reduced mass: lesser", "m1 * m2 / (m1 + m2)", "math.min(m1, m2)");
     helper("push without 2", "local j = 2 * mu", "local j = mu");
     helper("a number at the question", "< reach", "< 0.4");

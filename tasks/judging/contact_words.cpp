@@ -44,11 +44,17 @@ private:
                        std::make_move_iterator(found.end()));
     }
 
+    static bool isAnyInTime(const std::vector<PairHit> &hits)
+    {
+        return std::any_of(hits.begin(), hits.end(),
+                           [](const PairHit &hit) { return hit.isInTime(); });
+    }
+
     bool findNever()
     {
         // With e = 1 a hit may come to nothing that is one with another e, and elsewhere or of
         // other circles there may be one.
-        const bool own = answersAny(m_own.contacts) || meetsAny(m_own.varied)
+        const bool own = answersAny(m_own.contacts) || isAnyInTime(m_own.varied)
                          || (!answersAny(m_own.equals) && answersAny(m_own.rebounds));
         const bool right = answersAny(m_right.contacts);
         if (own == right || m_own.contacts.empty())
@@ -86,7 +92,7 @@ private:
     /// All that are answered are answered when they leave each other.
     bool findParting()
     {
-        if (meetsAny(m_own.contacts) || meetsAny(m_own.varied))
+        if (meetsAny(m_own.contacts) || isAnyInTime(m_own.varied))
             return false;
         const auto found = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
                                         [](const PairHit &h) { return h.answered; });
