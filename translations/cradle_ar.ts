@@ -4137,6 +4137,22 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>Hits at the %walls take the part of %who along the normal away</source>
         <translation>التصادمات عند %walls تأخذ مركّبة %who على امتداد العمودي</translation>
     </message>
+    <message>
+        <source>Some meetings are answered before they touch</source>
+        <translation>تُقابَل بعض اللقاءات بالاستجابة قبل التلامس</translation>
+    </message>
+    <message>
+        <source>Some meetings are answered too late</source>
+        <translation>تُقابَل بعض اللقاءات بالاستجابة متأخرة</translation>
+    </message>
+    <message>
+        <source>A hit changes the part of circle %1 across the line of centres</source>
+        <translation>يغيّر التصادم مركّبة الدائرة ⁨%1⁩ المعامدة لخط المركزين</translation>
+    </message>
+    <message>
+        <source>Of the %1 meetings that were tried %2 were answered in time.</source>
+        <translation>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في ⁨%2⁩.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -4113,6 +4113,22 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>Hits at the %walls take the part of %who along the normal away</source>
         <translation>Stöße an %walls nehmen für %who den Anteil längs der Normalen weg</translation>
     </message>
+    <message>
+        <source>Some meetings are answered before they touch</source>
+        <translation>Manche Begegnungen werden beantwortet, bevor die Kreise sich berühren</translation>
+    </message>
+    <message>
+        <source>Some meetings are answered too late</source>
+        <translation>Manche Begegnungen werden zu spät beantwortet</translation>
+    </message>
+    <message>
+        <source>A hit changes the part of circle %1 across the line of centres</source>
+        <translation>Ein Stoß ändert den Anteil von Kreis %1 quer zur Verbindungslinie der Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>Of the %1 meetings that were tried %2 were answered in time.</source>
+        <translation>Von den %1 versuchten Begegnungen wurden %2 rechtzeitig beantwortet.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -4113,6 +4113,22 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>Hits at the %walls take the part of %who along the normal away</source>
         <translation>Les chocs contre %walls suppriment la composante le long de la normale, pour %who</translation>
     </message>
+    <message>
+        <source>Some meetings are answered before they touch</source>
+        <translation>Certaines rencontres reçoivent une réponse avant le contact</translation>
+    </message>
+    <message>
+        <source>Some meetings are answered too late</source>
+        <translation>Certaines rencontres reçoivent une réponse trop tard</translation>
+    </message>
+    <message>
+        <source>A hit changes the part of circle %1 across the line of centres</source>
+        <translation>Un choc change la composante du cercle %1 perpendiculaire à la ligne des centres</translation>
+    </message>
+    <message>
+        <source>Of the %1 meetings that were tried %2 were answered in time.</source>
+        <translation>Sur les %1 rencontres essayées, %2 ont reçu une réponse à temps.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

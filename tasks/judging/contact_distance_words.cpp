@@ -130,12 +130,22 @@ private:
             return h.meeting.radius1 == hit.meeting.radius1
                    && h.meeting.radius2 == hit.meeting.radius2 && isInTime(h);
         });
-        add(early ? ContactText::tr("The circles answer before they touch")
-                  : ContactText::tr("The circles answer too late"),
-            seen(hit) + QLatin1Char(' ')
-                + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.")
-                      .arg(brief(hit.meeting.sum())),
-            hit, Suspect::Reach);
+        QString body = seen(hit) + QLatin1Char(' ')
+                       + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 "
+                                         "m.")
+                             .arg(brief(hit.meeting.sum()));
+        const auto inTime = std::count_if(m_own.contacts.begin(), m_own.contacts.end(), isInTime);
+        if (inTime > 0)
+            body += QLatin1Char(' ')
+                    + ContactText::tr("Of the %1 meetings that were tried %2 were answered in "
+                                      "time.")
+                          .arg(m_own.contacts.size())
+                          .arg(inTime);
+        add(inTime > 0 && early ? ContactText::tr("Some meetings are answered before they touch")
+            : inTime > 0        ? ContactText::tr("Some meetings are answered too late")
+            : early             ? ContactText::tr("The circles answer before they touch")
+                                : ContactText::tr("The circles answer too late"),
+            body, hit, Suspect::Reach);
         if (isOfSides)
             m_found.back().topic = Topic::Distance;
     }

@@ -195,7 +195,7 @@ bool PairRange::isNearWall(const Circle &c)
 }
 
 void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
-                     const std::vector<Flight> &flights, int k)
+                     const std::vector<Flight> &flights, int k) const
 {
     const double h = probe.start().timestep;
     const Motion free1 = flights[0].after(before[0], h);
@@ -211,8 +211,8 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
                 || length(now2.position - free2.position) > 1e-7)) {
             hit.held = true;
             hit.step = k;
-            noteLeap(hit, 0, before[0].position, free1.position, now1.position);
-            noteLeap(hit, 1, before[1].position, free2.position, now2.position);
+            noteLeap(hit, 0, before[0].position, free1.position, now1);
+            noteLeap(hit, 1, before[1].position, free2.position, now2);
         }
         return;
     }
@@ -229,19 +229,21 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     hit.came2 = free2.velocity / hit.slowness;
     hit.left1 = now1.velocity / hit.slowness;
     hit.left2 = now2.velocity / hit.slowness;
-    noteLeap(hit, 0, before[0].position, free1.position, now1.position);
-    noteLeap(hit, 1, before[1].position, free2.position, now2.position);
+    noteLeap(hit, 0, before[0].position, free1.position, now1);
+    noteLeap(hit, 1, before[1].position, free2.position, now2);
     const Vec2 then = now2.position - now1.position;
     hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
                       && dot(then, now2.velocity - now1.velocity) > 0.0;
 }
 
-void PairRange::noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, Vec2 now)
+void PairRange::noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, const Circle &now) const
 {
-    const double leap = std::min(length(now - before), length(now - free));
-    if (leap > 0.6 * hit.meeting.sum() + 4.0 * length(free - before)) {
+    const double leap = std::min(length(now.position - before), length(now.position - free));
+    // Who is hit much too hard flies as far in the rest of the step.
+    const double flown = length(now.velocity) * m_h;
+    if (leap > std::max(0.6 * hit.meeting.sum() + 4.0 * length(free - before), 1.01 * flown)) {
         hit.leaper = circle;
-        hit.landed = now;
+        hit.landed = now.position;
     }
 }
 

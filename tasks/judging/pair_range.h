@@ -80,11 +80,11 @@ private:
 
     static bool isNearWall(const Circle &c);
 
-    static void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
-                     const std::vector<Flight> &flights, int k);
+    void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
+              const std::vector<Flight> &flights, int k) const;
 
     /// Whether a circle was put farther from its path than any way of parting two puts it.
-    static void noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, Vec2 now);
+    void noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, const Circle &now) const;
 
     const QString *m_program;
     const Ground &m_ground;

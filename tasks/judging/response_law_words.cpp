@@ -109,7 +109,10 @@ private:
         const auto near = [](double a, double b) { return isAlike(a, b, 5e-3); };
         const bool across = every([&](const EqualHit &h) {
             const PairVelocities out = h.hit.leftParts();
-            return near(out.across1, h.right.across1) && near(out.across2, h.right.across2);
+            // A line of centres that has turned a little turns a push that is much too strong.
+            const double turned = 1e-3 * length(h.hit.push1());
+            return isAlike(out.across1, h.right.across1, 5e-3 + turned)
+                   && isAlike(out.across2, h.right.across2, 5e-3 + turned);
         });
         const bool along = every([&](const EqualHit &h) {
             const PairVelocities out = h.hit.leftParts();
@@ -119,8 +122,20 @@ private:
             return length(h.hit.push1() + h.hit.push2()) < 5e-3 * (1.0 + length(h.hit.push1()));
         });
         const auto ratio = fixedMassRatio(m_own);
+        const auto keeps = [&](double PairVelocities::*part) {
+            return every(
+                [&](const EqualHit &h) { return near(h.hit.leftParts().*part, h.right.*part); });
+        };
         if (along)
-            add(ResponseText::tr("The parts across the line of centres are changed"),
+            add(keeps(&PairVelocities::across1)
+                    ? ResponseText::tr("A hit changes the part of circle %1 across the line of "
+                                       "centres")
+                          .arg(2)
+                : keeps(&PairVelocities::across2)
+                    ? ResponseText::tr("A hit changes the part of circle %1 across the line of "
+                                       "centres")
+                          .arg(1)
+                    : ResponseText::tr("The parts across the line of centres are changed"),
                 describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("A smooth circle pushes along the line of centres only."),
                 hit);
