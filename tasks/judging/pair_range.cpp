@@ -46,11 +46,11 @@ PairHit PairRange::look(const Meeting &meeting) const
     const std::array key{meeting.radius1, meeting.radius2, meeting.degrees};
     const auto seen = m_seen.find(key);
     const double guess = seen == m_seen.end() ? meeting.sum() : seen->second;
-    const PairHit hit = meet(meeting, guess + 2.4 * way, guess, shortStep, fewSteps);
+    PairHit hit = meet(meeting, guess + 2.4 * way, guess, shortStep, fewSteps);
     if (hit.answered && hit.step > 1)
         return hit;
     // It is not where it should be: where it is, scan() knows to a step.
-    const PairHit coarse = scan(meeting);
+    PairHit coarse = scan(meeting);
     // Who answers too late may let them pass each other, but not when they come straight.
     const PairHit found = coarse.answered ? coarse : scan(straight(meeting));
     if (!found.answered)
