@@ -198,6 +198,12 @@ void TestConditions::conditionIsNamed_data()
     rows("method until a wall", {"L42T7", "L42T17"},
          "The motion of both circles is symplectic Euler only until it has hit a wall",
          {.start = "touched = false", .fresh = "not touched", .turned = "touched = true"});
+    rows("method above", {"L42T7"},
+         "The motion of both circles is symplectic Euler only above a height between y = ",
+         {.fresh = "c.position.y > 0"});
+    rows("method to the left", {"L42T3"},
+         "The motion of circle 1 is Euler only to the right of a place between x = ",
+         {.fresh = "c.position.x < 0"});
     rows("gravity after a wall", {"L42T7"},
          "Gravity acts on both circles as it should only after it has hit a wall",
          {.start = "touched = false", .move = "touched", .turned = "touched = true"});

@@ -21,12 +21,14 @@ private slots:
     void conditionIsFound();
     void nothingIsFoundWhereAllComeOutAlike();
     void oneAloneHasNoPlace();
+    void ofTwoNoneIsTheOne();
 };
 
 namespace {
 
-/// Eight in turn: each a second later, but the fourth and the seventh at once; in other places.
-std::vector<Occasion> eight(const Rule &rule)
+/// Eight in turn: each a second later, but the fourth and the seventh at once; in other places. Two
+/// more are the first of runs of their own, of which one has lasted long.
+std::vector<Occasion> ten(const Rule &rule)
 {
     constexpr Vec2 places[] = {{1, 2},   {-2, -1}, {2, -2}, {1.1, 1},
                                {1.5, 1}, {-2, 2},  {2, 0},  {-1, -2}};
@@ -42,8 +44,11 @@ std::vector<Occasion> eight(const Rule &rule)
                        .place = places[k - 1],
                        .setting = k > 2 && k < 7 ? 1 : 0,
                        .hasMet = k > 5});
-        all.back().isRight = rule(all.back());
     }
+    all.push_back({.time = 0.5, .place = {-1.5, 1.5}, .setting = 1});
+    all.push_back({.time = 9.0, .place = {1.7, -1.5}, .setting = 0});
+    for (Occasion &one : all)
+        one.isRight = rule(one);
     return all;
 }
 
@@ -61,6 +66,8 @@ void TestOccasions::conditionIsFound_data()
     row("first", Kind::First, 0.0, [](O one) { return one.number == 1; });
     row("first of each", Kind::First, 0.0, [](O one) { return one.ownNumber == 1; });
     row("not the first", Kind::NotFirst, 0.0, [](O one) { return one.number > 1; });
+    row("the first three", Kind::FirstFew, 3.0, [](O one) { return one.number <= 3; });
+    row("after three", Kind::AfterFew, 4.0, [](O one) { return one.number > 3; });
     row("odd", Kind::OddOnes, 0.0, [](O one) { return one.number % 2 == 1; });
     row("even", Kind::EvenOnes, 0.0, [](O one) { return one.number % 2 == 0; });
     row("pause", Kind::Pause, 1.0, [](O one) { return one.pause > 0.5; });
@@ -81,7 +88,7 @@ void TestOccasions::conditionIsFound()
     QFETCH(Rule, rule);
     QFETCH(int, kind);
     QFETCH(double, bound);
-    const auto found = conditionOf(eight(rule));
+    const auto found = conditionOf(ten(rule));
     QVERIFY(found);
     QCOMPARE(static_cast<int>(found->kind), kind);
     QCOMPARE(found->inside, bound);
@@ -90,16 +97,28 @@ void TestOccasions::conditionIsFound()
 void TestOccasions::nothingIsFoundWhereAllComeOutAlike()
 {
     QVERIFY(!conditionOf({}));
-    QVERIFY(!conditionOf(eight([](const Occasion &) { return true; })));
-    QVERIFY(!conditionOf(eight([](const Occasion &) { return false; })));
+    QVERIFY(!conditionOf(ten([](const Occasion &) { return true; })));
+    QVERIFY(!conditionOf(ten([](const Occasion &) { return false; })));
 }
 
 /// The highest, or the last, is so by chance.
 void TestOccasions::oneAloneHasNoPlace()
 {
-    const auto last = conditionOf(eight([](const Occasion &one) { return one.number == 8; }));
+    const auto last = conditionOf(ten([](const Occasion &one) { return one.number == 8; }));
     QVERIFY(last);
     QVERIFY(last->kind == Kind::Sometimes);
+}
+
+/// In one run the first ones are also the early ones.
+void TestOccasions::ofTwoNoneIsTheOne()
+{
+    std::vector<Occasion> all = ten([](const Occasion &one) { return one.number <= 3; });
+    all.resize(8);
+    const auto several = conditionsOf(all);
+    QCOMPARE(several.size(), std::size_t{2});
+    QVERIFY(several[0].kind == Kind::FirstFew);
+    QVERIFY(several[1].kind == Kind::Until);
+    QVERIFY(conditionOf(all)->kind == Kind::Sometimes);
 }
 
 QTEST_GUILESS_MAIN(TestOccasions)

@@ -76,11 +76,7 @@ bool look(LongRun &run, const Ground &ground, Preset scene, int count, bool hasH
             all.push_back({static_cast<int>(i),
                            before[i],
                            run.probe().circle(static_cast<int>(i)),
-                           {.time = run.time(),
-                            .number = k + 1,
-                            .ownNumber = k + 1,
-                            .place = before[i].position,
-                            .hasHit = hasHit}});
+                           {.time = run.time(), .place = before[i].position, .hasHit = hasHit}});
     }
     return true;
 }

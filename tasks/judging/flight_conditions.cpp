@@ -122,42 +122,51 @@ private:
               wantedOf(seen).position - seen.before.position, true);
     }
 
-    /// A circle that moves by one method in the beginning must keep it.
+    /// Where one method is asked for, or the same for all, that is right; else the one of its
+    /// first step, which a circle must keep.
     void sayMethods()
     {
         const Vec2 fall = timestep() * timestep() * m_ground.gravities.front();
         if (lengthSquared(fall) == 0.0)
             return;
-        const auto share = [&](const FlightOccasion &seen) {
+        const auto shareOf = [&](const FlightOccasion &seen) {
             const Vec2 more =
                 seen.after.position - seen.before.position - timestep() * seen.before.velocity;
             return dot(more, fall) / lengthSquared(fall);
         };
         const auto &all = m_own.flightAgain();
-        const auto first = [&](int circle) {
+        const auto wanted = [&](int circle) {
+            const auto &shares = m_ground.flights[static_cast<std::size_t>(circle)].shares;
+            if (shares.size() == 1)
+                return shares.front();
             const auto at = std::find_if(all.begin(), all.end(), [&](const FlightOccasion &seen) {
-                return seen.circle == circle;
+                return m_ground.sameIntegrator || seen.circle == circle;
             });
-            return share(*at);
+            return shareOf(*at);
         };
-        const auto series = mixed(
+        const auto mixedUp = mixed(
             [&](const FlightOccasion &seen) {
-                return !isNearWall(seen) && !methodName(first(seen.circle)).isEmpty();
+                return !isNearWall(seen) && !methodName(wanted(seen.circle)).isEmpty();
             },
             [&](const FlightOccasion &seen) {
-                return std::abs(share(seen) - first(seen.circle)) < 0.01;
+                return std::abs(shareOf(seen) - wanted(seen.circle)) < 0.01;
             });
+        if (rightOnes(mixedUp.when) == static_cast<int>(mixedUp.when.size()))
+            return;
+        const double share = wanted(mixedUp.firstWrong().own->circle);
+        const auto series =
+            mixedUp.those([&](const FlightOccasion &seen) { return wanted(seen.circle) == share; });
         const auto condition = dividing(series);
         if (!condition)
             return;
         const FlightOccasion &seen = *series.firstWrong().own;
         sayOf(series, *condition,
               ConditionText::tr("The motion of %who is %1 only %2")
-                  .arg(methodName(first(seen.circle)), QStringLiteral("%1")),
+                  .arg(methodName(share), QStringLiteral("%1")),
               ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
                                 "went %4 m in a step of %5 s; by that method it is %6 m."),
               seen.after.position - seen.before.position,
-              timestep() * seen.before.velocity + first(seen.circle) * fall, true);
+              timestep() * seen.before.velocity + share * fall, true);
     }
 
     /// \param text  of the first wrong one, with what \p was seen and what was \p wanted

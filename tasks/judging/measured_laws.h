@@ -38,17 +38,17 @@ public:
             m_pair.emplace(m_program, m_ground, flight());
         return *m_pair;
     }
-    /// The same again in long runs.
+    /// The same again in long runs; at the same \p walls whenever it is asked for.
     [[nodiscard]] const std::vector<FlightOccasion> &flightAgain() const
     {
         if (!m_flightAgain)
             m_flightAgain = measureFlightAgain(m_program, m_ground);
         return *m_flightAgain;
     }
-    [[nodiscard]] const std::vector<WallOccasion> &wallsAgain() const
+    [[nodiscard]] const std::vector<WallOccasion> &wallsAgain(const std::vector<Wall> &walls) const
     {
         if (!m_wallsAgain)
-            m_wallsAgain = measureWallsAgain(m_program, m_ground, flight());
+            m_wallsAgain = measureWallsAgain(m_program, m_ground, flight(), walls);
         return *m_wallsAgain;
     }
     [[nodiscard]] const std::vector<PairOccasion> &pairAgain() const

@@ -71,10 +71,12 @@ struct Drop {
     Stage stage{};
 };
 
-/// Hits at all walls in one long run of \p program, with an e of the middle; none where laws move
-/// the circles, or the program does not go on from where they are set.
-[[nodiscard]] std::vector<WallOccasion>
-measureWallsAgain(const QString *program, const Ground &ground, const MeasuredFlight &flight);
+/// Hits at \p walls in long runs of \p program, with an e of the middle; none where laws move the
+/// circles, or the program does not go on from where they are set.
+[[nodiscard]] std::vector<WallOccasion> measureWallsAgain(const QString *program,
+                                                          const Ground &ground,
+                                                          const MeasuredFlight &flight,
+                                                          const std::vector<Wall> &walls);
 
 /// How a program answers walls.
 struct MeasuredWalls {

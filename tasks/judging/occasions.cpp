@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -81,37 +82,75 @@ int rightOnes(const std::vector<Occasion> &occasions)
                                           [](const Occasion &one) { return one.isRight; }));
 }
 
-std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
+namespace {
+
+/// That the first ones of a run come out right, or the others, counted by \p number.
+std::optional<Condition> byNumber(const Division &by, int Occasion::*number)
+{
+    const auto is = [&](auto holds) {
+        return by.is([&](const Occasion &one) { return holds(one.*number); });
+    };
+    if (is([](int n) { return n == 1; }))
+        return Condition{Kind::First};
+    if (is([](int n) { return n > 1; }))
+        return Condition{Kind::NotFirst};
+    if (is([](int n) { return n % 2 == 1; }))
+        return Condition{Kind::OddOnes};
+    if (is([](int n) { return n % 2 == 0; }))
+        return Condition{Kind::EvenOnes};
+    return std::nullopt;
+}
+
+/// The same with another number than the first.
+std::optional<Condition> byHigherNumber(const Division &by, int Occasion::*number)
+{
+    const auto part = [&](const Occasion &one) { return static_cast<double>(one.*number); };
+    const auto few = by.atMost(Kind::FirstFew, part);
+    return few ? few : by.atLeast(Kind::AfterFew, part);
+}
+
+/// A number, counted in the first way in which one divides.
+template <class By>
+void takeNumber(std::vector<Condition> &all, const Division &by, By byIt)
+{
+    for (const auto number :
+         {&Occasion::number, &Occasion::ownNumber, &Occasion::likeNumber, &Occasion::wallNumber}) {
+        if (const auto found = byIt(by, number)) {
+            all.push_back(*found);
+            return;
+        }
+    }
+}
+
+} // namespace
+
+std::vector<Condition> conditionsOf(const std::vector<Occasion> &occasions)
 {
     const int right = rightOnes(occasions);
     const int wrong = static_cast<int>(occasions.size()) - right;
-    if (right == 0 || wrong == 0)
-        return std::nullopt;
-    const Division by(occasions);
-    for (const auto number : {&Occasion::number, &Occasion::ownNumber}) {
-        if (by.is([&](const Occasion &one) { return one.*number == 1; }))
-            return Condition{Kind::First};
-        if (by.is([&](const Occasion &one) { return one.*number > 1; }))
-            return Condition{Kind::NotFirst};
-        if (by.is([&](const Occasion &one) { return one.*number % 2 == 1; }))
-            return Condition{Kind::OddOnes};
-        if (by.is([&](const Occasion &one) { return one.*number % 2 == 0; }))
-            return Condition{Kind::EvenOnes};
-    }
-    if (by.is([](const Occasion &one) { return !one.hasMet; }))
-        return Condition{Kind::BeforeMet};
-    if (by.is([](const Occasion &one) { return !one.hasHit; }))
-        return Condition{Kind::BeforeHit};
-    if (by.is([](const Occasion &one) { return one.hasHit; }))
-        return Condition{Kind::AfterHit};
-    if (right < fewest || wrong < fewest)
-        return Condition{};
     std::vector<Condition> all;
+    if (right == 0 || wrong == 0)
+        return all;
+    const Division by(occasions);
+    takeNumber(all, by, byNumber);
+    if (by.is([](const Occasion &one) { return !one.hasMet; }))
+        all.push_back({Kind::BeforeMet});
+    if (by.is([](const Occasion &one) { return !one.hasHit; }))
+        all.push_back({Kind::BeforeHit});
+    if (by.is([](const Occasion &one) { return one.hasHit; }))
+        all.push_back({Kind::AfterHit});
+    if (right < fewest || wrong < fewest)
+        return all;
+    if (all.empty())
+        takeNumber(all, by, byHigherNumber);
     const auto take = [&](const std::optional<Condition> &one) {
         if (one)
             all.push_back(*one);
     };
-    take(by.atLeast(Kind::Pause, [](const Occasion &one) { return one.pause; }));
+    // The first of a run has no pause before it.
+    const auto pause = by.atLeast(Kind::Pause, [](const Occasion &one) { return one.pause; });
+    if (pause && std::isfinite(pause->inside))
+        all.push_back(*pause);
     struct Part {
         double (*of)(const Occasion &);
         Kind most;
@@ -141,6 +180,15 @@ std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
         if (by.is([&](const Occasion &one) { return one.setting == setting; }))
             all.push_back({Kind::Setting});
     }
+    return all;
+}
+
+std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
+{
+    const int right = rightOnes(occasions);
+    if (right == 0 || right == static_cast<int>(occasions.size()))
+        return std::nullopt;
+    const std::vector<Condition> all = conditionsOf(occasions);
     return all.size() == 1 ? all.front() : Condition{};
 }
 
@@ -153,6 +201,8 @@ QString phraseOf(const Condition &condition)
     switch (condition.kind) {
     case Kind::Sometimes:
     case Kind::Setting:
+    case Kind::FirstFew:
+    case Kind::AfterFew:
         break;
     case Kind::First:
         return OccasionText::tr("the first time");

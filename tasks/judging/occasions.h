@@ -16,8 +16,11 @@ namespace cradle {
 /// hits at walls, hits of two circles, or steps of free flight.
 struct Occasion {
     double time = 0.0;                                      ///< since the run began, s
+    int run = 0;                                            ///< of which it is; 0: of its own
     int number = 1;                                         ///< of all those in the run, from 1
-    int ownNumber = 1;                                      ///< and of those of its circle
+    int ownNumber = 1;                                      ///< of those of its circle
+    int wallNumber = 1;                                     ///< of these at its wall
+    int likeNumber = 1;                                     ///< of all that are judged with it
     double pause = std::numeric_limits<double>::infinity(); ///< since the one before it, s
     Vec2 place{};                                           ///< of the circle or of both, m
     double speed = 0.0;                                     ///< with which it comes, m/s
@@ -39,7 +42,9 @@ struct Condition {
         Sometimes, ///< nothing that is known
         First,     ///< it is the first
         NotFirst,  ///< it is not
-        OddOnes,   ///< the first, the third, and so on
+        FirstFew,  ///< its number in the run is small; the limits are such numbers
+        AfterFew,
+        OddOnes, ///< the first, the third, and so on
         EvenOnes,
         Pause,     ///< the last one was long ago
         BeforeMet, ///< the circles have not met yet
@@ -75,8 +80,12 @@ struct Condition {
     }
 };
 
+/// All that divides the right ones of \p occasions from the others: of several none is known to be
+/// the one that counts. Which are the first ones is counted in one way only.
+[[nodiscard]] std::vector<Condition> conditionsOf(const std::vector<Occasion> &occasions);
+
 /// \return nothing where all of \p occasions come out alike; Sometimes, too, where several things
-///         divide them, of which none is known to be the one that counts
+///         divide them
 [[nodiscard]] std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions);
 
 /// "the first time", "up to a time between 2.9 and 3.6 s": to stand behind "only".

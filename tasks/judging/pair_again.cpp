@@ -15,8 +15,8 @@ constexpr std::array waits{0.0, 0.0, 0.3, 0.0, 0.7, 1.3, 0.0, 2.0, 0.0, 3.0, 0.0
 constexpr std::array places{Vec2{-2.31, 1.87}, Vec2{1.93, 2.29},  Vec2{-1.79, -2.13},
                             Vec2{2.17, -1.71}, Vec2{0.29, 1.37},  Vec2{-0.83, -1.91},
                             Vec2{1.61, -0.37}, Vec2{-2.53, -0.41}};
-/// Of a run whose first meeting is late, s.
-constexpr double lateStart = 6.0;
+/// Of a run whose first meeting is late, s: what counts the time is told from what counts meetings.
+constexpr double lateStart = 12.0;
 
 } // namespace
 

@@ -18,7 +18,7 @@ struct Throw {
 };
 constexpr std::array throws{Throw{1.0, 0.37},   Throw{0.37, -0.137}, Throw{0.37, 0.41},
                             Throw{0.37, -1.07}, Throw{1.0, -0.07},   Throw{1.6, 0.59}};
-/// So many shots of each circle: every throw at every wall.
+/// So many shots of each circle: every throw at every wall, where there are four.
 constexpr std::size_t shotsOfCircle = throws.size() * std::size(allWalls);
 /// Before every so many shots there is a wait, s; the others come as soon as the one before is
 /// over.
@@ -28,8 +28,8 @@ constexpr std::array waits{0.0, 0.3, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0};
 constexpr std::array places{1.45, -2.65};
 /// Who is faster along the wall than that comes from the end that he flies away from.
 constexpr double steep = 0.5;
-/// Of one whose first shot is late, s.
-constexpr double lateStart = 6.0;
+/// Of one whose first shots are late, s: what counts the time is told from what counts shots.
+constexpr double lateStart = 12.0;
 constexpr int stepsOfMeeting = 12;
 constexpr int stepsToWall = 3; ///< of those that start near it
 
@@ -54,18 +54,18 @@ bool meet(LongRun &run, const Preset &stage, double way)
 
 } // namespace
 
-/// The shot of that number, which is made in \p run, that has lasted so long.
-WallOccasion WallRange::shotOf(std::size_t number, int circle, double e) const
+WallOccasion WallRange::shotOf(std::size_t number, int circle, const WallShots &shots) const
 {
-    const std::size_t round = number / std::size(allWalls);
-    const std::size_t wall = (number + round / 2) % std::size(allWalls);
+    const std::size_t round = number / shots.walls.size();
+    const std::size_t wall = (number + round / 2) % shots.walls.size();
+    const std::size_t turn = round / throws.size(); // of all throws
     const Throw &how = throws[round % throws.size()];
-    double along = places[(round + wall) % places.size()];
+    double along = places[(round + turn + wall) % places.size()];
     if (std::abs(how.along) > steep)
         along = -std::copysign(places[1], how.along);
     WallOccasion shot{.hit = {.circle = circle,
-                              .wall = allWalls[wall],
-                              .restitution = e,
+                              .wall = shots.walls[wall],
+                              .restitution = shots.restitution,
                               .radius = largeRadius(),
                               .otherRadius = m_ground.walls.radii.low}};
     WallHit &hit = shot.hit;
@@ -92,56 +92,58 @@ bool WallRange::shootIn(LongRun &run, WallOccasion &shot) const
     return run.runs();
 }
 
-std::vector<WallOccasion> WallRange::again(double e) const
+std::vector<WallOccasion> WallRange::again(const WallShots &shots) const
 {
     std::vector<int> circles = m_ground.walls.circles;
     std::erase_if(circles, [&](int circle) { return !isKnown(circle); });
-    if (!m_program || circles.empty())
+    if (!m_program || circles.empty() || shots.walls.empty())
         return {};
+    const Preset scene = shotOf(0, circles.front(), shots).hit.stage.preset;
     std::vector<WallOccasion> all;
-    for (const int circle : circles) {
-        WallOccasion late = shotOf(1, circle, e);
-        LongRun run(m_program, m_ground, late.hit.stage.preset);
-        run.wait(lateStart);
-        if (!shootIn(run, late))
-            return {};
-        all.push_back(late);
-    }
-    LongRun run(m_program, m_ground, shotOf(0, circles.front(), e).hit.stage.preset);
-    std::vector<int> own(m_ground.flights.size(), 0);
-    int number = 0;
-    bool hasMet = false;
+    LongRun late(m_program, m_ground, scene);
+    late.wait(lateStart);
     double last = -std::numeric_limits<double>::infinity();
-    const std::size_t shots = shotsOfCircle * circles.size();
-    for (std::size_t k = 0; k < shots; ++k) {
-        // Each makes every throw at every wall: now one, now another.
-        const std::size_t who = k + k / std::size(allWalls) + k / shotsOfCircle;
-        WallOccasion shot = shotOf(k, circles[who % circles.size()], e);
-        if (k == shots / 2 && m_ground.pair.asked && m_ground.flights.size() > 1)
-            hasMet = meet(run, shot.hit.stage.preset, flightOf(0).way.x);
-        if (k % shotsPerWait == 0 && k / shotsPerWait < waits.size())
-            run.wait(waits[k / shotsPerWait]);
+    const auto take = [&](LongRun &run, WallOccasion &shot, int number) {
         if (!shootIn(run, shot))
-            return {};
-        int &ownNumber = own[static_cast<std::size_t>(shot.hit.circle)];
-        if (!shot.hit.missed) {
-            ++number;
-            ++ownNumber;
-        }
-        shot.when.number = number;
-        shot.when.ownNumber = ownNumber;
-        shot.when.hasMet = hasMet;
+            return false;
+        shot.when.run = number;
         shot.when.pause = shot.when.time - last;
         last = run.time(); // who is turned late comes the sooner again
         all.push_back(shot);
+        return true;
+    };
+    for (std::size_t k = 0; k < shots.walls.size(); ++k) {
+        for (const int circle : circles) {
+            WallOccasion shot = shotOf(k, circle, shots);
+            if (!take(late, shot, 2))
+                return {};
+        }
+    }
+    LongRun run(m_program, m_ground, scene);
+    last = -std::numeric_limits<double>::infinity();
+    bool hasMet = false;
+    const std::size_t count = shotsOfCircle * circles.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        // Each makes every throw at every wall: now one, now another.
+        const std::size_t who = k + k / shots.walls.size() + k / shotsOfCircle;
+        WallOccasion shot = shotOf(k, circles[who % circles.size()], shots);
+        // In the midst of the waits: the first shots of the other run come later.
+        if (k == count / 3 && m_ground.pair.asked && m_ground.flights.size() > 1)
+            hasMet = meet(run, shot.hit.stage.preset, flightOf(0).way.x);
+        if (k % shotsPerWait == 0 && k / shotsPerWait < waits.size())
+            run.wait(waits[k / shotsPerWait]);
+        shot.when.hasMet = hasMet;
+        if (!take(run, shot, 1))
+            return {};
     }
     return all;
 }
 
 std::vector<WallOccasion> measureWallsAgain(const QString *program, const Ground &ground,
-                                            const MeasuredFlight &flight)
+                                            const MeasuredFlight &flight,
+                                            const std::vector<Wall> &walls)
 {
-    return WallRange(program, ground, flight).again(middleOf(ground.walls.restitutions));
+    return WallRange(program, ground, flight).again({walls, middleOf(ground.walls.restitutions)});
 }
 
 } // namespace cradle

@@ -5,6 +5,8 @@
 #include "tasks/checks/figures.h"
 #include "tasks/judging/wall_comparison.h"
 
+#include <map>
+
 namespace cradle {
 
 namespace {
@@ -20,9 +22,13 @@ public:
 
     [[nodiscard]] ConditionedAspect judge()
     {
-        if (m_own.wallsAgain().empty() || m_right.wallsAgain().empty())
+        const std::set<Wall> walls = rightWalls();
+        m_again = m_own.wallsAgain({walls.begin(), walls.end()});
+        m_rightAgain = m_right.wallsAgain({walls.begin(), walls.end()});
+        if (m_again.empty() || m_rightAgain.size() != m_again.size())
             return std::move(m_said);
-        const double e = m_right.wallsAgain().front().hit.restitution;
+        countHits();
+        const double e = m_rightAgain.front().hit.restitution;
         m_first = first(m_own.walls(), e);
         m_rightFirst = first(m_right.walls(), e);
         // A slow one that is not turned may just not come to where it would be.
@@ -43,6 +49,21 @@ public:
     }
 
 private:
+    /// Numbers the hits of the long runs.
+    void countHits()
+    {
+        std::map<std::vector<int>, int> counts;
+        for (std::size_t i = 0; i < m_again.size(); ++i) {
+            const WallHit &hit = m_again[i].hit;
+            if (hit.missed || !m_rightAgain[i].hit.turned)
+                continue;
+            Occasion &when = m_again[i].when;
+            when.number = ++counts[{when.run}];
+            when.ownNumber = ++counts[{when.run, hit.circle}];
+            when.wallNumber = ++counts[{when.run, hit.circle, static_cast<int>(hit.wall)}];
+        }
+    }
+
     /// Whether \p hit is answered when others as fast are at that wall: not far outside, where
     /// another condition may have come true.
     [[nodiscard]] bool isAnswered(const WallHit &hit) const
@@ -81,7 +102,7 @@ private:
         Series<WallOccasion> series;
         const auto take = [&](const std::vector<WallOccasion> &own,
                               const std::vector<WallOccasion> &right) {
-            for (std::size_t i = 0; own.size() == right.size() && i < own.size(); ++i) {
+            for (std::size_t i = 0; i < std::min(own.size(), right.size()); ++i) {
                 // One that changes the other's velocity as well may be a hit of the two.
                 const bool isOfBoth = own[i].hit.kicks && !right[i].hit.kicks;
                 if (!own[i].hit.missed && !isOfBoth && right[i].hit.turned && takes(own[i]))
@@ -89,7 +110,7 @@ private:
             }
         };
         take(m_first, m_rightFirst);
-        take(m_own.wallsAgain(), m_right.wallsAgain());
+        take(m_again, m_rightAgain);
         return series;
     }
 
@@ -134,7 +155,13 @@ private:
             });
             isMixed |= rightOnes(some.when) > 0;
         }
-        return isMixed ? series.those(isOfWrong) : Series<WallOccasion>{};
+        Series<WallOccasion> judged = isMixed ? series.those(isOfWrong) : Series<WallOccasion>{};
+        std::map<int, int> counts;
+        for (Occasion &when : judged.when) {
+            if (when.run != 0)
+                when.likeNumber = ++counts[when.run];
+        }
+        return judged;
     }
 
     /// The walls of those that do not come out right.
@@ -246,6 +273,8 @@ private:
 
     std::vector<WallOccasion> m_first{}; ///< in short runs
     std::vector<WallOccasion> m_rightFirst{};
+    std::vector<WallOccasion> m_again{}; ///< in long ones
+    std::vector<WallOccasion> m_rightAgain{};
 };
 
 } // namespace

@@ -7,6 +7,12 @@
 
 namespace cradle {
 
+/// What is shot in long runs: at which walls, with which e.
+struct WallShots {
+    std::vector<Wall> walls{};
+    double restitution = 1.0;
+};
+
 /// Shoots circles at walls and looks.
 class WallRange
 {
@@ -39,8 +45,9 @@ public:
 
     [[nodiscard]] Drop drop(int circle, double e, double height) const;
 
-    /// Shots of all circles at all walls in one long run, here and there, early and late.
-    [[nodiscard]] std::vector<WallOccasion> again(double e) const;
+    /// Shots of all circles in one long run, here and there, early and late, and first shots in a
+    /// run that has lasted long.
+    [[nodiscard]] std::vector<WallOccasion> again(const WallShots &shots) const;
 
     /// The strongest downward gravity of the checks; zero if there is none.
     [[nodiscard]] Vec2 fall() const;
@@ -71,7 +78,7 @@ private:
     static bool isNearWall(const Circle &c, Vec2 direction, double halfWidth);
 
     /// The shot of that number in a long run, not made.
-    [[nodiscard]] WallOccasion shotOf(std::size_t number, int circle, double e) const;
+    [[nodiscard]] WallOccasion shotOf(std::size_t number, int circle, const WallShots &shots) const;
     /// Makes it. \return false if the run comes to nothing
     bool shootIn(LongRun &run, WallOccasion &shot) const;
 
