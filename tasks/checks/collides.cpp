@@ -27,14 +27,6 @@ std::vector<CircleLaw> wantedLaws(const CheckSpec &check)
     return laws;
 }
 
-/// A change of a velocity in the step of \p answer that is no hit's.
-std::optional<Fault> ofEveryStep(const ContactAnswer &answer)
-{
-    const Vec2 gravity = answer.gravity();
-    const auto fault = motion::steadyFault(answer.o, answer.a, gravity);
-    return fault ? fault : motion::steadyFault(answer.o, answer.b, gravity);
-}
-
 /// A hit too early, or of circles that part already.
 std::optional<Fault> untimely(const ContactAnswer &answer, double gapAllowed)
 {
@@ -42,7 +34,7 @@ std::optional<Fault> untimely(const ContactAnswer &answer, double gapAllowed)
     const double slack = motion::sameVelocity * (1.0 + quickLength(answer.contact.beforeA));
     if (!isEarly && answer.approach() >= -slack)
         return std::nullopt;
-    if (auto fault = ofEveryStep(answer))
+    if (auto fault = motion::steadyFaultOf(answer.o, answer.a, answer.b, answer.gravity()))
         return fault;
     return isEarly ? contact_faults::tooEarly(answer) : contact_faults::hitAgain(answer);
 }
@@ -129,14 +121,6 @@ Fault missedFault(const Observation &o, qint64 missedStep, double e,
     return contact_faults::missed(missedStep, e);
 }
 
-/// Whether a wall may push one of them in the step of the contact, too.
-bool isBesideWall(const ContactAnswer &answer, Vec2 gravity)
-{
-    const qint64 k = answer.contact.step;
-    return motion::isNearWall(answer.o, answer.a, k, gravity)
-           || motion::isNearWall(answer.o, answer.b, k, gravity);
-}
-
 using JudgeAnswer = std::function<std::optional<Fault>(const ContactAnswer &)>;
 
 /// Goes through the contacts of circles 1 and 2: each in time, each answered as \p judge wants it,
@@ -164,7 +148,7 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
             fault = leapIn(answer, gravity);
         // One that turned before it touched anything has met no wall either.
         const bool isEarly = contact.nearest > gapAllowed + slackOf(o, gravity);
-        if (fault && (isEarly || !isBesideWall(answer, gravity)))
+        if (fault && (isEarly || !motion::isBesideWall(o, 0, 1, contact, gravity)))
             return fault;
         if (fault && !besideWall)
             besideWall = contact_faults::besideWall(*fault);

@@ -57,13 +57,6 @@ Fault neverMet()
             .step = 0};
 }
 
-/// What is wrong with the motion of circle 1 or 2, of which a hit must not be blamed.
-std::optional<Fault> ofEveryStep(const Observation &o, Vec2 gravity)
-{
-    const auto fault = motion::steadyFault(o, 0, gravity);
-    return fault ? fault : motion::steadyFault(o, 1, gravity);
-}
-
 /// Whether they cannot have touched in the step of \p contact.
 bool isFarApart(const Observation &o, const motion::Contact &contact, Vec2 gravity)
 {
@@ -82,8 +75,7 @@ std::vector<motion::Contact> contactsInTheOpen(const CheckSpec &check, const Obs
     const Vec2 gravity = motion::gravityOf(check, o);
     auto found = contacts(check, o);
     std::erase_if(found, [&](const motion::Contact &contact) {
-        return motion::isNearWall(o, 0, contact.step, gravity)
-               || motion::isNearWall(o, 1, contact.step, gravity);
+        return motion::isBesideWall(o, 0, 1, contact, gravity);
     });
     return found;
 }
@@ -102,7 +94,7 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
         if (length(b.momentumAfter - b.momentumBefore) > kept * b.scale) {
             const bool x = std::abs(b.momentumAfter.x - b.momentumBefore.x)
                            > std::abs(b.momentumAfter.y - b.momentumBefore.y);
-            if (auto fault = ofEveryStep(o, gravity))
+            if (auto fault = motion::steadyFaultOf(o, 0, 1, gravity))
                 return fault;
             const QString text =
                 isFarApart(o, contact, gravity)
@@ -120,7 +112,7 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
                          .step = contact.step + 1};
         }
         if (energy && std::abs(b.energyAfter - b.energyBefore) > kept * b.energyBefore) {
-            if (auto fault = ofEveryStep(o, gravity))
+            if (auto fault = motion::steadyFaultOf(o, 0, 1, gravity))
                 return fault;
             const QString text =
                 isFarApart(o, contact, gravity)
@@ -153,7 +145,7 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
         const Vec2 expected{v.at(0).toDouble(), v.at(1).toDouble()};
         if (v.isEmpty() || length(observed - expected) <= tolerance)
             continue;
-        if (auto fault = ofEveryStep(o, motion::gravityOf(check, o)))
+        if (auto fault = motion::steadyFaultOf(o, 0, 1, motion::gravityOf(check, o)))
             return fault;
         const bool x = std::abs(observed.x - expected.x) > std::abs(observed.y - expected.y);
         return Fault{.message = ConserveText::tr("At step %1 circle %2 left the first hit with %3 "

@@ -79,6 +79,17 @@ std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity
     return contacts;
 }
 
+std::optional<Fault> steadyFaultOf(const Observation &o, int a, int b, Vec2 gravity)
+{
+    const auto fault = steadyFault(o, a, gravity);
+    return fault ? fault : steadyFault(o, b, gravity);
+}
+
+bool isBesideWall(const Observation &o, int a, int b, const Contact &contact, Vec2 gravity)
+{
+    return isNearWall(o, a, contact.step, gravity) || isNearWall(o, b, contact.step, gravity);
+}
+
 qint64 missedContact(const Observation &o, int a, int b)
 {
     int inside = 0;

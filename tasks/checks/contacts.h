@@ -26,6 +26,13 @@ struct Contact {
 /// The contacts of circles \p a and \p b, oldest first, walls left out.
 [[nodiscard]] std::vector<Contact> contactsOf(const Observation &o, int a, int b, Vec2 gravity);
 
+/// What is wrong with the motion of \p a or \p b in every step, of which no hit must be blamed.
+[[nodiscard]] std::optional<Fault> steadyFaultOf(const Observation &o, int a, int b, Vec2 gravity);
+
+/// Whether a wall may push \p a or \p b in the step of their \p contact, too.
+[[nodiscard]] bool isBesideWall(const Observation &o, int a, int b, const Contact &contact,
+                                Vec2 gravity);
+
 /// The first step at which both have been inside each other, still coming nearer, for longer than
 /// an honest program needs to see it; −1 if there is none.
 [[nodiscard]] qint64 missedContact(const Observation &o, int a, int b);
