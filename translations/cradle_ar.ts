@@ -2203,14 +2203,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تتحرك %who بطريقة معروفة؛ المطلوب ⁨%1⁩</translation>
     </message>
     <message>
-        <source>Euler</source>
-        <translation>أويلر</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation>أويلر التماثلية</translation>
-    </message>
-    <message>
         <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
         <translation>القطع المكافئ الدقيق (فيرليه، رونغه-كوتا 4)</translation>
     </message>
@@ -5641,6 +5633,77 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     </message>
 </context>
 <context>
+    <name>LawNames</name>
+    <message>
+        <source>None</source>
+        <comment>law for walls</comment>
+        <translation>بلا</translation>
+    </message>
+    <message>
+        <source>Reflect</source>
+        <translation>انعكاس</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for circles</comment>
+        <translation>بلا</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>توقف</translation>
+    </message>
+    <message>
+        <source>Swap velocities</source>
+        <translation>تبادل السرعتين</translation>
+    </message>
+    <message>
+        <source>Swap normal parts</source>
+        <translation>تبادل المركّبتين الناظميتين</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>دفع</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>متقطع</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>متصل</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>دقيق</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>أويلر</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler</source>
+        <translation>أويلر التماثلية</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>فيرليه للسرعة</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta 4</source>
+        <translation>رونغه-كوتا 4</translation>
+    </message>
+    <message>
+        <source>S. Euler</source>
+        <comment>short for Symplectic Euler</comment>
+        <translation>تماثلية</translation>
+    </message>
+    <message>
+        <source>Verlet</source>
+        <comment>short for Velocity Verlet</comment>
+        <translation>فيرليه</translation>
+    </message>
+</context>
+<context>
     <name>Lists</name>
     <message>
         <source>, </source>
@@ -7130,46 +7193,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 </context>
 <context>
     <name>RunDifference</name>
-    <message>
-        <source>none</source>
-        <translation>لا شيء</translation>
-    </message>
-    <message>
-        <source>reflect</source>
-        <translation>انعكاس</translation>
-    </message>
-    <message>
-        <source>stop</source>
-        <translation>توقف</translation>
-    </message>
-    <message>
-        <source>swap velocities</source>
-        <translation>تبادل السرعتين</translation>
-    </message>
-    <message>
-        <source>swap normal parts</source>
-        <translation>تبادل المركّبتين الناظميتين</translation>
-    </message>
-    <message>
-        <source>impulse</source>
-        <translation>دفع</translation>
-    </message>
-    <message>
-        <source>discrete</source>
-        <translation>متقطع</translation>
-    </message>
-    <message>
-        <source>continuous</source>
-        <translation>متصل</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>دقيقة</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation>أويلر التماثلية</translation>
-    </message>
     <message>
         <source>circle %1</source>
         <translation>الدائرة %1</translation>
@@ -9037,22 +9060,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>الكتلة</translation>
     </message>
     <message>
-        <source>Euler</source>
-        <translation>أويلر</translation>
-    </message>
-    <message>
-        <source>Symplectic Euler</source>
-        <translation>أويلر التماثلية</translation>
-    </message>
-    <message>
-        <source>Velocity Verlet</source>
-        <translation>فيرليه للسرعة</translation>
-    </message>
-    <message>
-        <source>Runge-Kutta 4</source>
-        <translation>رونغه-كوتا 4</translation>
-    </message>
-    <message>
         <source>Change colour of %1</source>
         <translation>تغيير لون ⁨%1⁩</translation>
     </message>
@@ -9084,16 +9091,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>Integr.</source>
         <comment>short for Integrator</comment>
         <translation>التكامل</translation>
-    </message>
-    <message>
-        <source>S. Euler</source>
-        <comment>short for Symplectic Euler</comment>
-        <translation>تماثلية</translation>
-    </message>
-    <message>
-        <source>Verlet</source>
-        <comment>short for Velocity Verlet</comment>
-        <translation>فيرليه</translation>
     </message>
 </context>
 <context>
@@ -10634,82 +10631,40 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>القانون: ⁨%1⁩</translation>
     </message>
     <message>
-        <source>None</source>
-        <comment>law for walls</comment>
-        <translation>بلا</translation>
-    </message>
-    <message>
         <source>Circles leave the square unhindered.</source>
         <translation>تغادر الدوائر المربع بلا عائق.</translation>
-    </message>
-    <message>
-        <source>Reflect</source>
-        <translation>انعكاس</translation>
     </message>
     <message>
         <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
         <translation>يعكس الجدار مركّبة السرعة المتجهة إليه، ويضربها في e.</translation>
     </message>
     <message>
-        <source>None</source>
-        <comment>law for circles</comment>
-        <translation>بلا</translation>
-    </message>
-    <message>
         <source>Circles pass through each other.</source>
         <translation>تمر الدوائر بعضها عبر بعض.</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>توقف</translation>
     </message>
     <message>
         <source>Circles that meet both stop.</source>
         <translation>الدائرتان اللتان تلتقيان تتوقفان.</translation>
     </message>
     <message>
-        <source>Swap velocities</source>
-        <translation>تبادل السرعتين</translation>
-    </message>
-    <message>
         <source>Circles that meet exchange their whole velocities.</source>
         <translation>الدائرتان اللتان تلتقيان تتبادلان سرعتيهما كاملتين.</translation>
-    </message>
-    <message>
-        <source>Swap normal parts</source>
-        <translation>تبادل المركّبتين الناظميتين</translation>
     </message>
     <message>
         <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
         <translation>لا تُتبادل إلا مركّبتا السرعتين على خط المركزين؛ وتبقى المعامدتان له.</translation>
     </message>
     <message>
-        <source>Impulse</source>
-        <translation>دفع</translation>
-    </message>
-    <message>
         <source>An impulse along the line of centres keeps the momentum, with the masses and the restitution e.</source>
         <translation>دفع على خط المركزين يحفظ كمية الحركة، بالكتلتين ومعامل الارتداد e.</translation>
-    </message>
-    <message>
-        <source>Discrete</source>
-        <translation>متقطع</translation>
     </message>
     <message>
         <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
         <translation>بعد كل خطوة يُبحث عن التداخلات؛ وعند التصادم تعود الدوائر إلى مواضعها القديمة وتستجيب.</translation>
     </message>
     <message>
-        <source>Continuous</source>
-        <translation>متصل</translation>
-    </message>
-    <message>
         <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
         <translation>يُحسب زمن التصادم داخل الخطوة، ثم يُكمَل باقي الخطوة بعده.</translation>
-    </message>
-    <message>
-        <source>Exact</source>
-        <translation>دقيق</translation>
     </message>
     <message>
         <source>The motion is solved from hit to hit; the timestep only says when to look.</source>

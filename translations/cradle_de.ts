@@ -2283,14 +2283,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who folgt die Bewegung keinem bekannten Verfahren; verlangt ist: %1</translation>
     </message>
     <message>
-        <source>Euler</source>
-        <translation>Euler</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation>symplektischer Euler</translation>
-    </message>
-    <message>
         <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
         <translation>die genaue Parabel (Verlet, Runge-Kutta 4)</translation>
     </message>
@@ -5605,6 +5597,77 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     </message>
 </context>
 <context>
+    <name>LawNames</name>
+    <message>
+        <source>None</source>
+        <comment>law for walls</comment>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Reflect</source>
+        <translation>Reflektieren</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for circles</comment>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Swap velocities</source>
+        <translation>Geschwindigkeiten tauschen</translation>
+    </message>
+    <message>
+        <source>Swap normal parts</source>
+        <translation>Normalanteile tauschen</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Diskret</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Kontinuierlich</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler</source>
+        <translation>Symplektischer Euler</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Velocity-Verlet</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta 4</source>
+        <translation>Runge-Kutta 4</translation>
+    </message>
+    <message>
+        <source>S. Euler</source>
+        <comment>short for Symplectic Euler</comment>
+        <translation>S. Euler</translation>
+    </message>
+    <message>
+        <source>Verlet</source>
+        <comment>short for Velocity Verlet</comment>
+        <translation>Verlet</translation>
+    </message>
+</context>
+<context>
     <name>Lists</name>
     <message>
         <source>, </source>
@@ -7094,46 +7157,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
 </context>
 <context>
     <name>RunDifference</name>
-    <message>
-        <source>none</source>
-        <translation>keines</translation>
-    </message>
-    <message>
-        <source>reflect</source>
-        <translation>reflektieren</translation>
-    </message>
-    <message>
-        <source>stop</source>
-        <translation>anhalten</translation>
-    </message>
-    <message>
-        <source>swap velocities</source>
-        <translation>Geschwindigkeiten tauschen</translation>
-    </message>
-    <message>
-        <source>swap normal parts</source>
-        <translation>Normalanteile tauschen</translation>
-    </message>
-    <message>
-        <source>impulse</source>
-        <translation>Kraftstoß</translation>
-    </message>
-    <message>
-        <source>discrete</source>
-        <translation>diskret</translation>
-    </message>
-    <message>
-        <source>continuous</source>
-        <translation>kontinuierlich</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>exakt</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation>symplektischer Euler</translation>
-    </message>
     <message>
         <source>circle %1</source>
         <translation>Kreis %1</translation>
@@ -9017,35 +9040,9 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Euler</source>
-        <translation>Euler</translation>
-    </message>
-    <message>
-        <source>Symplectic Euler</source>
-        <translation>Symplektischer Euler</translation>
-    </message>
-    <message>
-        <source>Velocity Verlet</source>
-        <translation>Velocity-Verlet</translation>
-    </message>
-    <message>
-        <source>Runge-Kutta 4</source>
-        <translation>Runge-Kutta 4</translation>
-    </message>
-    <message>
         <source>Integr.</source>
         <comment>short for Integrator</comment>
         <translation>Integr.</translation>
-    </message>
-    <message>
-        <source>S. Euler</source>
-        <comment>short for Symplectic Euler</comment>
-        <translation>S. Euler</translation>
-    </message>
-    <message>
-        <source>Verlet</source>
-        <comment>short for Velocity Verlet</comment>
-        <translation>Verlet</translation>
     </message>
 </context>
 <context>
@@ -10562,82 +10559,40 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Gesetz: %1</translation>
     </message>
     <message>
-        <source>None</source>
-        <comment>law for walls</comment>
-        <translation>Keine</translation>
-    </message>
-    <message>
         <source>Circles leave the square unhindered.</source>
         <translation>Kreise verlassen das Quadrat ungehindert.</translation>
-    </message>
-    <message>
-        <source>Reflect</source>
-        <translation>Reflektieren</translation>
     </message>
     <message>
         <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
         <translation>Eine Wand kehrt den Anteil der Geschwindigkeit um, der in sie zeigt, und multipliziert ihn mit e.</translation>
     </message>
     <message>
-        <source>None</source>
-        <comment>law for circles</comment>
-        <translation>Keines</translation>
-    </message>
-    <message>
         <source>Circles pass through each other.</source>
         <translation>Kreise gehen durcheinander hindurch.</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Circles that meet both stop.</source>
         <translation>Kreise, die sich treffen, bleiben beide stehen.</translation>
     </message>
     <message>
-        <source>Swap velocities</source>
-        <translation>Geschwindigkeiten tauschen</translation>
-    </message>
-    <message>
         <source>Circles that meet exchange their whole velocities.</source>
         <translation>Kreise, die sich treffen, tauschen ihre ganzen Geschwindigkeiten.</translation>
-    </message>
-    <message>
-        <source>Swap normal parts</source>
-        <translation>Normalanteile tauschen</translation>
     </message>
     <message>
         <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
         <translation>Nur die Anteile der Geschwindigkeiten längs der Verbindungslinie der Mittelpunkte werden getauscht; die Anteile quer dazu bleiben.</translation>
     </message>
     <message>
-        <source>Impulse</source>
-        <translation>Kraftstoß</translation>
-    </message>
-    <message>
         <source>An impulse along the line of centres keeps the momentum, with the masses and the restitution e.</source>
         <translation>Ein Kraftstoß längs der Verbindungslinie der Mittelpunkte erhält den Impuls, mit den Massen und der Stoßzahl e.</translation>
-    </message>
-    <message>
-        <source>Discrete</source>
-        <translation>Diskret</translation>
     </message>
     <message>
         <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
         <translation>Nach jedem Schritt werden Überlappungen gesucht; bei einem Stoß gehen die Kreise an ihren alten Ort zurück und antworten.</translation>
     </message>
     <message>
-        <source>Continuous</source>
-        <translation>Kontinuierlich</translation>
-    </message>
-    <message>
         <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
         <translation>Der Zeitpunkt eines Stoßes im Schritt wird bestimmt, und der Rest des Schritts läuft danach ab.</translation>
-    </message>
-    <message>
-        <source>Exact</source>
-        <translation>Exakt</translation>
     </message>
     <message>
         <source>The motion is solved from hit to hit; the timestep only says when to look.</source>

@@ -2179,14 +2179,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Le mouvement ne suit aucune méthode connue, pour %who&#xa0;; demandé&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Euler</source>
-        <translation>Euler</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation>Euler symplectique</translation>
-    </message>
-    <message>
         <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
         <translation>la parabole exacte (Verlet, Runge-Kutta 4)</translation>
     </message>
@@ -5605,6 +5597,77 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     </message>
 </context>
 <context>
+    <name>LawNames</name>
+    <message>
+        <source>None</source>
+        <comment>law for walls</comment>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Reflect</source>
+        <translation>Réflexion</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <comment>law for circles</comment>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Swap velocities</source>
+        <translation>Échange des vitesses</translation>
+    </message>
+    <message>
+        <source>Swap normal parts</source>
+        <translation>Échange normal</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>Impulsion</translation>
+    </message>
+    <message>
+        <source>Discrete</source>
+        <translation>Discret</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Continu</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exact</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>Euler</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler</source>
+        <translation>Euler symplectique</translation>
+    </message>
+    <message>
+        <source>Velocity Verlet</source>
+        <translation>Verlet vitesse</translation>
+    </message>
+    <message>
+        <source>Runge-Kutta 4</source>
+        <translation>Runge-Kutta 4</translation>
+    </message>
+    <message>
+        <source>S. Euler</source>
+        <comment>short for Symplectic Euler</comment>
+        <translation>Euler s.</translation>
+    </message>
+    <message>
+        <source>Verlet</source>
+        <comment>short for Velocity Verlet</comment>
+        <translation>Verlet</translation>
+    </message>
+</context>
+<context>
     <name>Lists</name>
     <message>
         <source>, </source>
@@ -7094,46 +7157,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
 </context>
 <context>
     <name>RunDifference</name>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
-    <message>
-        <source>reflect</source>
-        <translation>réflexion</translation>
-    </message>
-    <message>
-        <source>stop</source>
-        <translation>arrêt</translation>
-    </message>
-    <message>
-        <source>swap velocities</source>
-        <translation>échange des vitesses</translation>
-    </message>
-    <message>
-        <source>swap normal parts</source>
-        <translation>échange des composantes normales</translation>
-    </message>
-    <message>
-        <source>impulse</source>
-        <translation>impulsion</translation>
-    </message>
-    <message>
-        <source>discrete</source>
-        <translation>discret</translation>
-    </message>
-    <message>
-        <source>continuous</source>
-        <translation>continu</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>exact</translation>
-    </message>
-    <message>
-        <source>symplectic Euler</source>
-        <translation>Euler symplectique</translation>
-    </message>
     <message>
         <source>circle %1</source>
         <translation>cercle %1</translation>
@@ -8989,22 +9012,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Euler</source>
-        <translation>Euler</translation>
-    </message>
-    <message>
-        <source>Symplectic Euler</source>
-        <translation>Euler symplectique</translation>
-    </message>
-    <message>
-        <source>Velocity Verlet</source>
-        <translation>Verlet vitesse</translation>
-    </message>
-    <message>
-        <source>Runge-Kutta 4</source>
-        <translation>Runge-Kutta 4</translation>
-    </message>
-    <message>
         <source>Change colour of %1</source>
         <translation>Changer la couleur&#xa0;: %1</translation>
     </message>
@@ -9036,16 +9043,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>Integr.</source>
         <comment>short for Integrator</comment>
         <translation>Intégr.</translation>
-    </message>
-    <message>
-        <source>S. Euler</source>
-        <comment>short for Symplectic Euler</comment>
-        <translation>Euler s.</translation>
-    </message>
-    <message>
-        <source>Verlet</source>
-        <comment>short for Velocity Verlet</comment>
-        <translation>Verlet</translation>
     </message>
 </context>
 <context>
@@ -10562,82 +10559,40 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Loi&#xa0;: %1</translation>
     </message>
     <message>
-        <source>None</source>
-        <comment>law for walls</comment>
-        <translation>Aucune</translation>
-    </message>
-    <message>
         <source>Circles leave the square unhindered.</source>
         <translation>Les cercles quittent le carré sans obstacle.</translation>
-    </message>
-    <message>
-        <source>Reflect</source>
-        <translation>Réflexion</translation>
     </message>
     <message>
         <source>A wall turns the part of the velocity that points into it around, and multiplies it by e.</source>
         <translation>Une paroi inverse la composante de la vitesse qui pointe vers elle, et la multiplie par e.</translation>
     </message>
     <message>
-        <source>None</source>
-        <comment>law for circles</comment>
-        <translation>Aucune</translation>
-    </message>
-    <message>
         <source>Circles pass through each other.</source>
         <translation>Les cercles se traversent.</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêt</translation>
     </message>
     <message>
         <source>Circles that meet both stop.</source>
         <translation>Les cercles qui se rencontrent s&apos;arrêtent tous deux.</translation>
     </message>
     <message>
-        <source>Swap velocities</source>
-        <translation>Échange des vitesses</translation>
-    </message>
-    <message>
         <source>Circles that meet exchange their whole velocities.</source>
         <translation>Les cercles qui se rencontrent échangent leurs vitesses entières.</translation>
-    </message>
-    <message>
-        <source>Swap normal parts</source>
-        <translation>Échange normal</translation>
     </message>
     <message>
         <source>Only the parts of the velocities along the line of centres are exchanged; the parts across it stay.</source>
         <translation>Seules les composantes des vitesses suivant la ligne des centres sont échangées&#xa0;; les composantes perpendiculaires restent.</translation>
     </message>
     <message>
-        <source>Impulse</source>
-        <translation>Impulsion</translation>
-    </message>
-    <message>
         <source>An impulse along the line of centres keeps the momentum, with the masses and the restitution e.</source>
         <translation>Une impulsion suivant la ligne des centres conserve la quantité de mouvement, avec les masses et la restitution e.</translation>
-    </message>
-    <message>
-        <source>Discrete</source>
-        <translation>Discret</translation>
     </message>
     <message>
         <source>After each step overlaps are looked for; on a hit the circles go back to their old positions and respond.</source>
         <translation>Après chaque pas, on cherche les chevauchements&#xa0;; lors d&apos;un choc, les cercles retournent à leurs anciennes positions et réagissent.</translation>
     </message>
     <message>
-        <source>Continuous</source>
-        <translation>Continu</translation>
-    </message>
-    <message>
         <source>The time of a hit inside the step is found, and the rest of the step is spent after it.</source>
         <translation>L&apos;instant d&apos;un choc à l&apos;intérieur du pas est trouvé, et le reste du pas se fait après lui.</translation>
-    </message>
-    <message>
-        <source>Exact</source>
-        <translation>Exact</translation>
     </message>
     <message>
         <source>The motion is solved from hit to hit; the timestep only says when to look.</source>

@@ -61,19 +61,24 @@ QString wallName(Wall wall)
     return FigureText::tr("ceiling");
 }
 
-QString integratorName(Integrator integrator)
+const char *integratorInEnglish(Integrator integrator)
 {
     switch (integrator) {
     case Integrator::Euler:
-        return FigureText::tr("Euler");
+        return QT_TRANSLATE_NOOP("Checks", "Euler");
     case Integrator::SymplecticEuler:
-        return FigureText::tr("symplectic Euler");
+        return QT_TRANSLATE_NOOP("Checks", "symplectic Euler");
     case Integrator::Verlet:
-        return FigureText::tr("velocity Verlet");
+        return QT_TRANSLATE_NOOP("Checks", "velocity Verlet");
     case Integrator::RungeKutta4:
         break;
     }
-    return FigureText::tr("Runge-Kutta 4");
+    return QT_TRANSLATE_NOOP("Checks", "Runge-Kutta 4");
+}
+
+QString integratorName(Integrator integrator)
+{
+    return FigureText::tr(integratorInEnglish(integrator));
 }
 
 QString figure(double value)

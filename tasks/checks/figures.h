@@ -10,7 +10,8 @@
 /// How messages of checks name things and write numbers.
 namespace cradle::motion {
 
-[[nodiscard]] QString wallName(Wall wall); ///< "right wall"
+[[nodiscard]] QString wallName(Wall wall);                            ///< "right wall"
+[[nodiscard]] const char *integratorInEnglish(Integrator integrator); ///< "symplectic Euler"
 [[nodiscard]] QString integratorName(Integrator integrator);
 
 /// \p value for people, in any language: four digits, and the whole part of up to a million, with

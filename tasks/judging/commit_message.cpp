@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/commit_message.h"
 
+#include "tasks/checks/figures.h"
 #include "tasks/checks/integrator_matching.h"
 #include "tasks/runs/observation.h"
-
-#include <map>
 
 namespace cradle {
 
@@ -14,14 +13,9 @@ namespace {
 /// The lab's commit messages are English, whatever language the student reads.
 QString englishNames(const std::vector<Integrator> &integrators)
 {
-    static const std::map<Integrator, QString> names{
-        {Integrator::Euler, QStringLiteral("Euler")},
-        {Integrator::SymplecticEuler, QStringLiteral("symplectic Euler")},
-        {Integrator::Verlet, QStringLiteral("velocity Verlet")},
-        {Integrator::RungeKutta4, QStringLiteral("Runge-Kutta 4")}};
     QStringList found;
     for (const Integrator integrator : integrators)
-        found.append(names.at(integrator));
+        found.append(QString::fromLatin1(motion::integratorInEnglish(integrator)));
     return found.join(QStringLiteral(" or "));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/checks/figures.h"
 #include "tasks/judging/flight_comparison.h"
 
 namespace cradle {
@@ -81,9 +82,9 @@ QString methodName(double share)
 {
     const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
     if (is(0.0))
-        return FlightText::tr("Euler");
+        return motion::integratorName(Integrator::Euler);
     if (is(1.0))
-        return FlightText::tr("symplectic Euler");
+        return motion::integratorName(Integrator::SymplecticEuler);
     return is(0.5) ? FlightText::tr("the exact parabola (Verlet, Runge-Kutta 4)") : QString();
 }
 

@@ -118,9 +118,9 @@ void TestPinnedRuns::legendTellsWhatDiffers_data()
     add("velocity", QStringLiteral("pinned 1: circle 1 v (2, 0) → (3, 0)"), [](Preset &p) {
         p.circles[0].body.velocity = {3.0, 0.0};
     });
-    add("integrator", QStringLiteral("pinned 1: circle 2 Euler → RK4"),
+    add("integrator", QStringLiteral("pinned 1: circle 2 Euler → Runge-Kutta 4"),
         [](Preset &p) { p.circles[1].integrator = Integrator::RungeKutta4; });
-    add("laws", QStringLiteral("pinned 1: timing continuous → discrete, circles impulse → stop"),
+    add("laws", QStringLiteral("pinned 1: timing Continuous → Discrete, circles Impulse → Stop"),
         [](Preset &p) {
             p.laws = {WallLaw::Reflect, CircleLaw::Stop, Timing::Discrete};
         });

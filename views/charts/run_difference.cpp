@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/run_difference.h"
 
+#include "views/law_names.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -16,56 +18,6 @@ struct RunDifference {
 
 /// Of a crowd the first circles tell enough.
 constexpr std::size_t mostDifferences = 8;
-
-QString nameOf(WallLaw law)
-{
-    return law == WallLaw::None ? RunDifference::tr("none") : RunDifference::tr("reflect");
-}
-
-QString nameOf(CircleLaw law)
-{
-    switch (law) {
-    case CircleLaw::None:
-        return RunDifference::tr("none");
-    case CircleLaw::Stop:
-        return RunDifference::tr("stop");
-    case CircleLaw::SwapVelocities:
-        return RunDifference::tr("swap velocities");
-    case CircleLaw::SwapNormal:
-        return RunDifference::tr("swap normal parts");
-    case CircleLaw::Impulse:
-        break;
-    }
-    return RunDifference::tr("impulse");
-}
-
-QString nameOf(Timing timing)
-{
-    switch (timing) {
-    case Timing::Discrete:
-        return RunDifference::tr("discrete");
-    case Timing::Continuous:
-        return RunDifference::tr("continuous");
-    case Timing::Exact:
-        break;
-    }
-    return RunDifference::tr("exact");
-}
-
-QString nameOf(Integrator integrator)
-{
-    switch (integrator) {
-    case Integrator::Euler:
-        return QStringLiteral("Euler");
-    case Integrator::SymplecticEuler:
-        return RunDifference::tr("symplectic Euler");
-    case Integrator::Verlet:
-        return QStringLiteral("Verlet");
-    case Integrator::RungeKutta4:
-        break;
-    }
-    return QStringLiteral("RK4");
-}
 
 QString nameOf(double number)
 {

@@ -100,30 +100,4 @@ int CircleTableModel::columnOf(const QString &pointer)
     return key == QStringLiteral("density") ? Density : Name;
 }
 
-QString CircleTableModel::integratorCell(Integrator integrator) const
-{
-    if (m_isBrief && integrator == Integrator::SymplecticEuler)
-        return tr("S. Euler", "short for Symplectic Euler");
-    if (m_isBrief && integrator == Integrator::Verlet)
-        return tr("Verlet", "short for Velocity Verlet");
-    if (m_isBrief && integrator == Integrator::RungeKutta4)
-        return QStringLiteral("RK4");
-    return integratorText(integrator);
-}
-
-QString CircleTableModel::integratorText(Integrator integrator)
-{
-    switch (integrator) {
-    case Integrator::Euler:
-        return tr("Euler");
-    case Integrator::SymplecticEuler:
-        return tr("Symplectic Euler");
-    case Integrator::Verlet:
-        return tr("Velocity Verlet");
-    case Integrator::RungeKutta4:
-        break;
-    }
-    return tr("Runge-Kutta 4");
-}
-
 } // namespace cradle

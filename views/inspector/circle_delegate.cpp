@@ -5,6 +5,7 @@
 #include "views/circle_edits.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/inspector/number_field.h"
+#include "views/law_names.h"
 #include "views/theme.h"
 
 #include <QAbstractItemView>
@@ -49,7 +50,7 @@ QComboBox *createList(QWidget *parent, int column)
         return list;
     }
     for (const Integrator integrator : allIntegrators)
-        list->addItem(CircleTableModel::integratorText(integrator), static_cast<int>(integrator));
+        list->addItem(nameOf(integrator), static_cast<int>(integrator));
     return list;
 }
 

@@ -142,7 +142,7 @@ QVariant CircleTableModel::data(const QModelIndex &index, int role) const
         if (column == Colour)
             shown = circles[row].colour;
         else if (column == IntegratorColumn)
-            shown = integratorText(circles[row].integrator);
+            shown = nameOf(circles[row].integrator);
         const QString unit = unitOf(column);
         if (unit.isEmpty())
             return shown;

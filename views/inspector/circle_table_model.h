@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/law_names.h"
 #include "views/preset_document.h"
 
 #include <QAbstractTableModel>
@@ -50,9 +51,11 @@ public:
     [[nodiscard]] static double spinStep(int column);
     /// The column of a JSON pointer as /circles/3/velocity/1; Name if it is of the whole circle.
     [[nodiscard]] static int columnOf(const QString &pointer);
-    [[nodiscard]] static QString integratorText(Integrator integrator);
     /// What a cell shows of it.
-    [[nodiscard]] QString integratorCell(Integrator integrator) const;
+    [[nodiscard]] QString integratorCell(Integrator integrator) const
+    {
+        return m_isBrief ? briefNameOf(integrator) : nameOf(integrator);
+    }
     /// Lets cells and headers abbreviate what is long, where room is scarce.
     void setBrief(bool brief) { m_isBrief = brief; }
     [[nodiscard]] bool isBrief() const { return m_isBrief; }

@@ -3,6 +3,7 @@
 #include "views/inspector/laws_group.h"
 
 #include "views/choice_box.h"
+#include "views/law_names.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
@@ -156,25 +157,29 @@ void LawsGroup::retranslate()
         m_captions[i]->setText(names[i].second);
         names[i].first->setAccessibleName(tr("Law: %1").arg(names[i].second));
     }
-    setItems(m_walls, {{tr("None", "law for walls"), tr("Circles leave the square unhindered.")},
-                       {tr("Reflect"), tr("A wall turns the part of the velocity that points into "
-                                          "it around, and multiplies it by e.")}});
-    setItems(m_circles,
-             {{tr("None", "law for circles"), tr("Circles pass through each other.")},
-              {tr("Stop"), tr("Circles that meet both stop.")},
-              {tr("Swap velocities"), tr("Circles that meet exchange their whole velocities.")},
-              {tr("Swap normal parts"), tr("Only the parts of the velocities along the line of "
-                                           "centres are exchanged; the parts across it stay.")},
-              {tr("Impulse"), tr("An impulse along the line of centres keeps the momentum, with "
-                                 "the masses and the restitution e.")}});
-    setItems(
-        m_timing,
-        {{tr("Discrete"), tr("After each step overlaps are looked for; on a hit the circles go "
-                             "back to their old positions and respond.")},
-         {tr("Continuous"), tr("The time of a hit inside the step is found, and the rest of "
-                               "the step is spent after it.")},
-         {tr("Exact"), tr("The motion is solved from hit to hit; the timestep only says when "
-                          "to look.")}});
+    setItems(m_walls, {{nameOf(WallLaw::None), tr("Circles leave the square unhindered.")},
+                       {nameOf(WallLaw::Reflect),
+                        tr("A wall turns the part of the velocity that points into "
+                           "it around, and multiplies it by e.")}});
+    setItems(m_circles, {{nameOf(CircleLaw::None), tr("Circles pass through each other.")},
+                         {nameOf(CircleLaw::Stop), tr("Circles that meet both stop.")},
+                         {nameOf(CircleLaw::SwapVelocities),
+                          tr("Circles that meet exchange their whole velocities.")},
+                         {nameOf(CircleLaw::SwapNormal),
+                          tr("Only the parts of the velocities along the line of "
+                             "centres are exchanged; the parts across it stay.")},
+                         {nameOf(CircleLaw::Impulse),
+                          tr("An impulse along the line of centres keeps the momentum, with "
+                             "the masses and the restitution e.")}});
+    setItems(m_timing, {{nameOf(Timing::Discrete),
+                         tr("After each step overlaps are looked for; on a hit the circles go "
+                            "back to their old positions and respond.")},
+                        {nameOf(Timing::Continuous),
+                         tr("The time of a hit inside the step is found, and the rest of "
+                            "the step is spent after it.")},
+                        {nameOf(Timing::Exact),
+                         tr("The motion is solved from hit to hit; the timestep only says when "
+                            "to look.")}});
     reload();
 }
 
