@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/approved_text.h"
+#include "tests/approved_programs.h"
 #include "tests/lab_test.h"
 #include "tests/told_report.h"
 
-#include "tasks/text/unified_diff.h"
-
-#include <QRegularExpression>
+#include "tasks/judging/judgement.h"
 
 #include <map>
 
@@ -53,45 +51,6 @@ std::map<QString, QString> sections(const QString &text)
     return all;
 }
 
-/// What is wrong in a difference, and its hunks.
-std::pair<QString, QString> readDiff(const QString &path)
-{
-    const QString text = approved::read(path);
-    const auto hunks =
-        text.startsWith(QLatin1String("@@")) ? 0 : text.indexOf(QLatin1String("\n@@")) + 1;
-    return {text.left(hunks), text.mid(hunks)};
-}
-
-/// The values of N; one empty where there are none.
-QStringList valuesOf(const QString &path)
-{
-    static const QRegularExpression given(QStringLiteral("^N = (.+)$"),
-                                          QRegularExpression::MultilineOption);
-    const auto match = given.match(readDiff(path).first);
-    return match.hasMatch() ? match.captured(1).split(QLatin1Char(' ')) : QStringList{QString()};
-}
-
-/// \return empty if the difference does not fit its program
-QString readProgram(const QString &step, const QString &file, const QString &value)
-{
-    const QString folder = step + QLatin1Char('/');
-    if (file.endsWith(QLatin1String(".lua")))
-        return approved::read(folder + file);
-    const QString base = file.section(QLatin1Char('.'), 0, 0) + QStringLiteral(".lua");
-    const auto program = withDiff(approved::read(folder + base), readDiff(folder + file).second);
-    if (!program || value.isEmpty())
-        return program ? *program : QString();
-    return QString(*program).replace(
-        QRegularExpression(QStringLiteral("\\bN\\b")),
-        value.startsWith(QLatin1Char('-')) ? QLatin1Char('(') + value + QLatin1Char(')') : value);
-}
-
-/// What it is called in the reports.
-QString nameOf(const QString &file, const QString &value)
-{
-    return value.isEmpty() ? file : file + QStringLiteral(" N = ") + value;
-}
-
 #if defined(CRADLE_SANITIZED)
 constexpr qsizetype every = 8; ///< of so many programs one: sanitizers take seven times as long
 #else
@@ -113,11 +72,12 @@ void TestApprovedReports::reportIsAsApproved_data()
             step = {&lab, &task, sections(approved::read(task.id + QStringLiteral(".txt"))), {}};
             for (const QString &file :
                  QDir(approved::path(task.id)).entryList(QDir::Files, QDir::Name)) {
-                for (const QString &value : valuesOf(task.id + QLatin1Char('/') + file)) {
-                    step.handedIn.append(nameOf(file, value));
+                for (const QString &value : approved::valuesOf(task.id + QLatin1Char('/') + file)) {
+                    step.handedIn.append(approved::nameOf(file, value));
                     if (step.handedIn.size() % every != 0)
                         continue;
-                    QTest::addRow("%s/%s", qPrintable(task.id), qPrintable(nameOf(file, value)))
+                    QTest::addRow("%s/%s", qPrintable(task.id),
+                                  qPrintable(approved::nameOf(file, value)))
                         << task.id << file << value;
                 }
             }
@@ -137,16 +97,17 @@ void TestApprovedReports::reportIsAsApproved()
         QVERIFY2(scene.ok(), scene ? "" : qPrintable(scene.error().toString()));
         submission.preset = *scene;
     } else {
-        submission.script = readProgram(step, file, value);
+        submission.script = approved::readProgram(step, file, value);
         QVERIFY2(!submission.script->isEmpty(), "the difference does not fit its program");
     }
     JudgeHooks hooks;
     hooks.provesLines = value.isEmpty(); // the others of one program have the same line
     const QString told = toldReport(*judgeTask(*of.lab, *of.task, submission, 1, hooks));
     if (approved::isApproving()) {
-        of.reports[nameOf(file, value)] = told;
+        of.reports[approved::nameOf(file, value)] = told;
     } else {
-        const QString difference = approved::difference(told, of.reports[nameOf(file, value)]);
+        const QString difference =
+            approved::difference(told, of.reports[approved::nameOf(file, value)]);
         QVERIFY2(difference.isEmpty(), qPrintable(difference));
     }
 }

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/approved_text.h"
+#include "tests/made_class.h"
+#include "tests/zip_maker.h"
+
+#include "tasks/grading/handed_repository.h"
+#include "tasks/grading/judging_request.h"
+#include "tasks/grading/platform_names.h"
+#include "tasks/grading/raw_folder.h"
+#include "tasks/lab_files/lab_files.h"
+
+#include <QTest>
+
+using namespace cradle;
+using namespace cradle::classes;
+using cradle::authoring::ZipMaker;
+
+/// What is understood of folders, files and zips that a class handed in, and the requests that
+/// become of them: tests/approved/handed.
+class TestApprovedHanded : public QObject
+{
+    Q_OBJECT
+private slots:
+    void classesAreUnderstoodAsApproved();
+    void foldersAreReadAsApproved();
+    void requestsAreReadWholeOrNotAtAll();
+};
+
+namespace {
+
+void compare(const char *file, const QString &now)
+{
+    const QString difference =
+        approved::compare(QStringLiteral("handed/") + QString::fromLatin1(file), now);
+    QVERIFY2(difference.isEmpty(), qPrintable(difference));
+}
+
+/// What is said may name where the test has its files.
+QString placed(QString said, const QByteArray &root)
+{
+    return root.isEmpty() ? said : said.replace(QString::fromUtf8(root), text("CLASS"));
+}
+
+QString told(const HandedIn &handed)
+{
+    QString all;
+    const JudgingRequest &request = handed.request;
+    all += QStringLiteral("  seed %1, steps %2, numbers %3, moments %4, archive of %5 bytes\n")
+               .arg(request.seed)
+               .arg(request.steps.join(u' '), request.numbers.join(u' '))
+               .arg(int(request.moments))
+               .arg(request.archive.size());
+    for (auto it = request.files.cbegin(); it != request.files.cend(); ++it)
+        all += QStringLiteral("  %1: %2 bytes: %3\n")
+                   .arg(it.key())
+                   .arg(it->size())
+                   .arg(QString::fromUtf8(it->left(40)).trimmed());
+    for (auto it = request.repository.cbegin(); it != request.repository.cend(); ++it)
+        all += QStringLiteral("  of its repository: %1: %2 bytes\n").arg(it.key()).arg(it->size());
+    if (!handed.remark.isEmpty())
+        all += QStringLiteral("  ! ") + handed.remark + u'\n';
+    return all;
+}
+
+QString told(const Made &made, const std::vector<RosterRow> &roster = {})
+{
+    const ClassFolder found = made.read(roster);
+    QString all = QStringLiteral("platform %1\n").arg(int(found.platform));
+    for (const QString &remark : found.remarks)
+        all += QStringLiteral("! ") + remark + u'\n';
+    for (const MissingStudent &missing : found.missing)
+        all += QStringLiteral("missing %1 %2\n").arg(missing.id, missing.name);
+    for (std::size_t i = 0; i < found.students.size(); ++i) {
+        const FoundStudent &student = found.students[i];
+        all += QStringLiteral("%1 | %2 | %3 | %4 | %5 | platform %6 | %7 days late | %8 | %9\n")
+                   .arg(student.id, student.name, student.number, student.email,
+                        student.rosterNumbers.join(u' '))
+                   .arg(int(student.platform))
+                   .arg(student.lateDays)
+                   .arg(student.how, student.remark);
+        all += told(handedInBy(found, int(i)));
+    }
+    for (const auto &[index, count] : {std::pair(1, 2), {2, 2}, {3, 3}}) {
+        all += QStringLiteral("shard %1 of %2:").arg(index).arg(count);
+        for (const FoundStudent &student : shardOf(found.students, index, count))
+            all += u' ' + student.id;
+        all += u'\n';
+    }
+    return placed(all, made.root());
+}
+
+QByteArray zipped(const QList<QByteArray> &names)
+{
+    ZipMaker zip;
+    for (const QByteArray &name : names)
+        zip.add({.name = name, .content = "-- " + name + '\n'});
+    return zip.toBytes();
+}
+
+void addFolders(const Made &made)
+{
+    made.file("ada/steps/L1.lua", "-- one\n");
+    made.file("ada/steps/L9.lua");
+    made.file("ada/notes/L1.md", "a note");
+    made.file("ada/presets/L2.json", "{}");
+    made.file("ada/cradle.json", "{\"format\": 1}");
+    made.file("ada/answers.json", "{}");
+    made.file("ada/predictions.json", "{}");
+    made.file("ada/.git/HEAD", "ref: refs/heads/main\n");
+    made.file("ada/.git/refs/heads/main", QByteArray(40, 'a'));
+    made.file("ada/.git/config", "[core]");
+    made.file("bob/down/deep/steps/l2.LUA");
+    made.file("bob/.hidden/steps/L1.lua");
+    made.file("cy/__MACOSX/steps/L1.lua");
+    made.file("cy/mine.lua");
+    made.file("dan/one.lua", "-- 1\n");
+    made.file("dan/two.lua", "-- 2\n");
+    made.file("eve/L1.lua");
+    made.file("eve/L2 (3).lua");
+    made.file("eve/work.cradle-work", "an archive");
+    made.file("eve/older.cradle-work", "another");
+    made.file("fay/1/2/3/4/5/6/7/8/9/steps/L1.lua");
+    made.file("gus/only.txt");
+    made.file("hal/work.zip", zipped({"steps/L1.lua", "__MACOSX/steps/L2.lua", ".x/L2.lua"}));
+    made.file("ida/work.zip", zipped({"../L1.lua", "/L2.lua", "a/../../L2.lua"}));
+    made.file("jo/work.zip", zipped({"down/steps/L1.lua", "inner.zip"}));
+    made.file("kim/work.zip", "no zip");
+    made.file("lee/long.lua", QByteArray(300'000, ' '));
+    made.file("max/L1.lua");
+    ::symlink("/etc/passwd", (made.root() + "/max/L2.lua").constData());
+    made.file("ned/kept/L2.lua", "-- kept\n");
+    ::symlink("kept/L2.lua", (made.root() + "/ned/L2.lua").constData());
+    made.file("pat\x01\n/L1.lua");
+    ::mkfifo((made.root() + "/pat\x01\n/L2.lua").constData(), 0600);
+    made.file("Quinn-lab.cradle-work", "an archive");
+    made.file("rob.lua");
+    made.file("rob-2.lua");
+    made.file("notes.txt");
+    made.file(".hidden/steps/L1.lua");
+}
+
+void addDownloads(const Made &made)
+{
+    made.file("Ada Lovelace_1234567_assignsubmission_file_/L1 (1).lua");
+    made.file("Ada Lovelace_1234567_assignsubmission_onlinetext_/onlinetext.html");
+    made.file("Bob_13_assignsubmission_file_lab.lua");
+    made.file("Cy_14_assignsubmission_onlinetext_/onlinetext.html");
+    made.file("lovelaceada_10_20_L1-2.lua");
+    made.file("boole_LATE_11_21_a_b.lua");
+    made.file("boole_LATE_11_22_L2-13.lua");
+    made.file("Lab_x_ada1_attempt_2026-05-01-12-30-00_lab.lua", "-- old\n");
+    made.file("Lab_x_ada1_attempt_2026-05-02-12-30-00_lab.lua", "-- new\n");
+    made.file("Lab_x_ada1_attempt_2026-05-02-12-30-00.txt", "Name: Ada\nDate Submitted: later\n");
+    made.file("Lab_bob_attempt_2026-05-02-12-30-00.txt", "Name: Bob");
+}
+
+void addClones(const Made &made)
+{
+    for (const char *name : {"lab-4-ada", "lab-4-bob", "lab-4-cy-d"}) {
+        made.file(QByteArray(name) + "/steps/L1.lua");
+        made.file(QByteArray(name) + "/.git/HEAD", "ref: refs/heads/main\n");
+    }
+}
+
+} // namespace
+
+void TestApprovedHanded::classesAreUnderstoodAsApproved()
+{
+    QString all;
+    const auto add = [&](const char *name, void (*fill)(const Made &),
+                         const std::vector<RosterRow> &roster = {}) {
+        const Made made;
+        fill(made);
+        all += QStringLiteral("== %1\n").arg(text(name)) + told(made, roster);
+    };
+    add("folders", addFolders);
+    add("downloads", addDownloads);
+    add("clones", addClones);
+    add("one student's work", [](const Made &made) {
+        made.file("steps/L1.lua");
+        made.file("lab.lua");
+    });
+    add("nobody", [](const Made &made) { made.file("readme.txt"); });
+    add("one folder in another", [](const Made &made) {
+        made.file("down/further/ada/L1.lua");
+        made.file("down/further/bob/L2.lua");
+    });
+    compare("classes.txt", all);
+}
+
+void TestApprovedHanded::foldersAreReadAsApproved()
+{
+    const Made made;
+    addFolders(made);
+    ::symlink("ada", (made.root() + "/link").constData());
+    ::symlink("..", (made.root() + "/eve/out").constData());
+    QString all;
+    const auto entries = entriesOf(made.root(), 1000);
+    QVERIFY(entries.ok());
+    for (const FolderEntry &entry : *entries)
+        all += QStringLiteral("%1 %2\n").arg(shownName(entry.name)).arg(int(entry.kind));
+    const auto count = entries->size();
+    for (const std::size_t most : {count, count - 1, std::size_t(1), std::size_t(0)}) {
+        const auto some = entriesOf(made.root(), most);
+        all +=
+            some ? QStringLiteral("%1 fit\n").arg(some->size()) : some.error().toString() + u'\n';
+    }
+    for (const char *path :
+         {"rob.lua", "link/steps/L1.lua", "max/L2.lua", "ned/L2.lua", "eve/out/rob.lua",
+          "eve/out/../rob.lua", "ada", "pat\x01\n/L2.lua", "nowhere", "lee/long.lua"}) {
+        for (const qint64 most : {0, 1, 5, 6, 7, 1'000'000}) {
+            const auto bytes = readBelow(made.root(), made.root() + '/' + path, most);
+            all += QStringLiteral("%1, %2: ").arg(shownName(path)).arg(most);
+            all += bytes ? QStringLiteral("%1 bytes\n").arg(bytes->size())
+                         : bytes.error().toString() + u'\n';
+        }
+    }
+    for (const char *name : {"a", "a/b", "/a", "a/", "", "a\tb", "\xc3\xa4", "\xe4", "a\x7f"})
+        all += QStringLiteral("%1 | %2\n").arg(shownName(name), shownName(lastName(name)));
+    compare("folders.txt", placed(all, made.root()));
+}
+
+void TestApprovedHanded::requestsAreReadWholeOrNotAtAll()
+{
+    const JudgingRequest request{.seed = 7,
+                                 .steps = {text("L1"), text("L2")},
+                                 .files = {{text("steps/L1.lua"), "x = 1"}},
+                                 .archive = "zip",
+                                 .repository = {{text("HEAD"), "ref: refs/heads/main"}},
+                                 .numbers = {text("0042"), text("a1")},
+                                 .moments = false};
+    const QByteArray bytes = bytesOf(request);
+    QVERIFY(requestFrom(bytes) == request);
+    for (qsizetype size = 0; size < bytes.size(); ++size)
+        QVERIFY(!requestFrom(bytes.left(size)));
+}
+
+QTEST_GUILESS_MAIN(TestApprovedHanded)
+#include "test_approved_handed.moc"
