@@ -21,6 +21,7 @@ class TestShotScenes : public QObject
     Q_OBJECT
 private slots:
     void directionsShootEachCircleClearOfTheOther();
+    void whoDriftsLeavesTheWallOfTheShot();
     void shotsBeginAtUnknownPlaces();
     void everyShotComesToAWallInTime_data();
     void everyShotComesToAWallInTime();
@@ -100,6 +101,43 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
         QCOMPARE(slow, std::size_t{4});
     }
     QCOMPARE(quadrants.size(), std::size_t{4});
+}
+
+/// A wall that asks for the velocity of the other circle answers nothing then.
+void TestShotScenes::whoDriftsLeavesTheWallOfTheShot()
+{
+    for (qint64 seed = 1; seed <= 20; ++seed) {
+        std::set<std::pair<std::size_t, std::pair<int, int>>>
+            left; // who is shot, away from which wall
+        for (const Variant &variant :
+             makeVariants(two(), shots(QStringLiteral("directions")), seed)) {
+            const std::size_t shot = shotOf(variant);
+            const Vec2 drift = variant.preset.circles[1 - shot].body.velocity;
+            const Observation o = observe(variant);
+            bool first = true;
+            for (qint64 k = 0; k < o.steps(); ++k) {
+                const int index = static_cast<int>(shot);
+                const Vec2 kick = o.circle(index, k + 1).velocity - o.circle(index, k).velocity;
+                if (kick == Vec2{})
+                    continue;
+                if (first)
+                    QVERIFY2(dot(drift, kick) > 0.0, qPrintable(variant.name));
+                first = false;
+                if (dot(drift, kick) > 0.0)
+                    left.insert({shot,
+                                 {kick.x > 0.0   ? 1
+                                  : kick.x < 0.0 ? -1
+                                                 : 0,
+                                  kick.y > 0.0   ? 1
+                                  : kick.y < 0.0 ? -1
+                                                 : 0}});
+            }
+            QVERIFY2(!first, qPrintable(variant.name));
+        }
+        for (const std::size_t shot : {std::size_t{0}, std::size_t{1}})
+            for (const auto &wall : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+                QVERIFY(left.contains({shot, wall}));
+    }
 }
 
 void TestShotScenes::shotsBeginAtUnknownPlaces()

@@ -25,6 +25,8 @@ constexpr double slowest = 0.3; ///< of what drifts, m/s
 constexpr double fastest = 0.9;
 /// What flies under gravity may use so much of the height of the square.
 constexpr double ownShare = 0.8;
+/// Who has at least this speed from a wall clearly leaves it, m/s.
+constexpr double leaving = 0.1;
 
 /// The first positive root of distance = speed t + ½ pull t²; infinity if there is none.
 double firstTime(double distance, double speed, double pull)
@@ -52,6 +54,46 @@ struct Way {
     std::vector<Vec2> places;
     double radius = 0.0;
 };
+
+/// A wall and when something comes to it, s.
+struct Arrival {
+    Wall wall = Wall::Left;
+    double time = 0.0;
+};
+
+/// When \p way comes to within a step of each wall for the first time, the earliest first.
+std::vector<Arrival> arrivalsOn(const Way &way, const Preset &preset)
+{
+    std::vector<Arrival> arrivals;
+    for (const Wall wall : allWalls) {
+        const Vec2 n = outwardNormal(wall);
+        for (std::size_t k = 1; k < way.places.size(); ++k) {
+            const double gap = preset.halfWidth - way.radius - dot(way.places[k], n);
+            if (gap > length(way.places[k] - way.places[k - 1]))
+                continue;
+            arrivals.push_back({wall, static_cast<double>(k) * preset.timestep});
+            break;
+        }
+    }
+    std::sort(arrivals.begin(), arrivals.end(),
+              [](const Arrival &a, const Arrival &b) { return a.time < b.time; });
+    return arrivals;
+}
+
+/// How far what flies as \p circle is from leaving each wall when the shot arrives there, 0 if it
+/// leaves all of them; the first arrival counts more than the others together.
+double staying(const Preset &preset, const Circle &circle, const std::vector<Arrival> &arrivals)
+{
+    double sum = 0.0;
+    double weight = 1.0;
+    for (const Arrival &arrival : arrivals) {
+        const Vec2 velocity = circle.velocity + arrival.time * preset.gravity;
+        if (dot(velocity, outwardNormal(arrival.wall)) > -leaving)
+            sum += weight;
+        weight *= 0.4;
+    }
+    return sum;
+}
 
 /// The way of a circle alone in the square, by exact walls.
 Way idealWay(const Preset &preset, std::size_t index, double duration)
@@ -142,6 +184,7 @@ void drawOthers(Preset &preset, std::size_t shot, double duration, Random &rando
     if (preset.circles.size() < 2)
         return;
     std::vector<Way> ways{idealWay(preset, shot, duration)};
+    const std::vector<Arrival> arrivals = arrivalsOn(ways.front(), preset);
     const double pull = length(preset.gravity);
     for (std::size_t other = 0; other < preset.circles.size(); ++other) {
         if (other == shot)
@@ -167,10 +210,16 @@ void drawOthers(Preset &preset, std::size_t shot, double duration, Random &rando
                 std::max(0.0, room - (length(drawn.velocity) + pull * dt) * dt - beside);
             drawn.position = {placeFor(x, within, drawn.velocity.x, preset.gravity.x, flight),
                               placeFor(y, within, drawn.velocity.y, preset.gravity.y, flight)};
-            // A wall on the way is worse than any distance.
+            // A wall on its own way is worse than not to leave those of the shot, and that is worse
+            // than any distance, of which no more than enough counts.
             const double early = flight - timeToWall(preset, drawn);
+            const double most = early > 0.0
+                                    ? -3.0 * preset.halfWidth - early
+                                    : clear - preset.halfWidth * staying(preset, drawn, arrivals);
+            if (most <= best)
+                continue;
             const double found =
-                early > 0.0 ? -preset.halfWidth - early : clearance(preset, drawn, ways);
+                early > 0.0 ? most : most - clear + std::min(clear, clearance(preset, drawn, ways));
             if (found > best) {
                 best = found;
                 circle = drawn;

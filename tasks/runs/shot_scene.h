@@ -20,7 +20,8 @@ void bringNear(Preset &preset, std::size_t shot, double duration);
 
 /// Lets the other circles drift, or under gravity fly, where circle \p shot and the walls are far
 /// for \p duration s: what happens to the shot must not stop them, and a check sees whether it
-/// does.
+/// does. If it can be, they move away from the wall to which the shot comes first, so that a
+/// program that asks there for the velocity of another circle is found out.
 void drawOthers(Preset &preset, std::size_t shot, double duration, Random &random);
 
 } // namespace cradle
