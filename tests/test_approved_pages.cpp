@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/approved_text.h"
-#include "tests/class_of_three.h"
+#include "tests/class_of_many.h"
 #include "tests/reports.h"
 
 #include "tasks/authoring/mutations.h"
@@ -10,6 +10,7 @@
 #include "tasks/proof/verified_text.h"
 #include "tasks/report/report_formats.h"
 
+#include <QCryptographicHash>
 #include <QDirIterator>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -25,6 +26,7 @@ class TestApprovedPages : public QObject
     Q_OBJECT
 private slots:
     void classIsAsApproved();
+    void largeClassesAreAsApproved();
     void reportsOfEveryFormatAreAsApproved_data();
     void reportsOfEveryFormatAreAsApproved();
     void proofIsAsApproved();
@@ -59,6 +61,45 @@ void TestApprovedPages::classIsAsApproved()
         if (QTest::currentTestFailed())
             return;
     }
+}
+
+/// The page of a class of 37, and hashes of all that is written of it and of one that is larger
+/// than what is told one by one.
+void TestApprovedPages::largeClassesAreAsApproved()
+{
+    const Lab lab = smallLab();
+    QString all;
+    for (const int count : {37, 330}) {
+        const QTemporaryDir folder;
+        std::vector<StudentResult> students;
+        for (int i = 0; i < count; ++i)
+            students.push_back(oneOfMany(lab, i));
+        QVERIFY(keep(folder.path(), students, lab));
+        QVERIFY(!writeClassResults(folder.path(), lab, facts()));
+        QMap<QString, QByteArray> files;
+        QDirIterator found(folder.path(), QDir::Files, QDirIterator::Subdirectories);
+        while (found.hasNext()) {
+            QFile file(found.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString name = QDir(folder.path()).relativeFilePath(file.fileName());
+            // Those of students and of other graders are as in the class of three.
+            if (name.count(QLatin1Char('/')) == 0 || name.startsWith(QLatin1String("gradebooks/")))
+                files[name] = file.readAll();
+        }
+        QVERIFY(files.size() > 4);
+        for (auto it = files.cbegin(); it != files.cend(); ++it) {
+            all += QStringLiteral("%1 %2 %3\n")
+                       .arg(count)
+                       .arg(it.key(), QString::fromLatin1(
+                                          QCryptographicHash::hash(*it, QCryptographicHash::Sha256)
+                                              .toHex()
+                                              .left(32)));
+        }
+        if (count == 37)
+            compare(QStringLiteral("class-of-37.html"),
+                    QString::fromUtf8(files.value(QStringLiteral("class.html"))));
+    }
+    compare(QStringLiteral("large-classes.txt"), all);
 }
 
 void TestApprovedPages::reportsOfEveryFormatAreAsApproved_data()
