@@ -42,7 +42,7 @@ inline StudentResult oneOfMany(const Lab &lab, int i)
                 step.program += QStringLiteral("local v%1_%2 = %3 * circle%4.velocity.x\n")
                                     .arg(i % 5 == 0 && line % 9 != 0 ? 5 : i)
                                     .arg(line)
-                                    .arg(line * (s + 2))
+                                    .arg(line * (static_cast<int>(s) + 2))
                                     .arg(line % 2 + 1);
         }
         step.attempts = i % 4 == 0 ? i % 9 : 0;
