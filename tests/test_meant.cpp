@@ -18,6 +18,8 @@ private slots:
     void wayOfAnotherLanguage();
     void soundProgramsAreNotTaught_data();
     void soundProgramsAreNotTaught();
+    void aMissingArgumentIsSoughtAtTheCall_data();
+    void aMissingArgumentIsSoughtAtTheCall();
     void otherErrorsKeepTheirWords_data();
     void otherErrorsKeepTheirWords();
 };
@@ -173,7 +175,11 @@ void TestMeant::wayOfAnotherLanguage_data()
     row("local of another function",
         "function on_load()\n  local old = vec(0, 0)\n  go()\nend\n"
         "function go()\n  print(old)\nend",
-        6, "`old` is not known here: it is local to the block of line 2");
+        6, "`old` is not known here: it is local to another block, in line 2; a function gets");
+    row("local of a block within",
+        "function go()\n  if true then\n    local old = 1\n  end\n"
+        "  print(old)\nend\ngo()",
+        5, "`old` is not known here: it is local to the block of line 3; declare it before");
     row("local of a block", "if true then\n  local hit = 1\nend\nprint(hit)", 4,
         "`hit` is not known here: it is local to the block of line 2");
     row("misspelt local", "local old_position = 1\nprint(old_positon)", 2,
@@ -216,6 +222,38 @@ void TestMeant::soundProgramsAreNotTaught()
 {
     QFETCH(QString, source);
     VERIFY_RUNS(runScript(source));
+}
+
+void TestMeant::aMissingArgumentIsSoughtAtTheCall_data()
+{
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<int>("line"); // of the call that is named; 0 for none
+    QTest::newRow("none given") << lua("local function f(a, c)\n  return c.radius\nend\n"
+                                       "local r = f(circle1, circle1)\nr = f(circle1)")
+                                << 5;
+    QTest::newRow("number") << lua("local function f(c)\n  return c + 1\nend\nlocal r = f()") << 4;
+    QTest::newRow("emptied here") << lua("local function f(c)\n  c = nil\n  return c.radius\nend\n"
+                                         "local r = f(circle1)")
+                                  << 0;
+    QTest::newRow("another local") << lua("local function f()\n  local c\n  return c.radius\nend\n"
+                                          "local r = f()")
+                                   << 0;
+    QTest::newRow("called by nobody") << lua("function on_load(c)\n  c.radius = 1\nend") << 0;
+    QTest::newRow("call that is gone")
+        << lua("local function f(c)\n  return c.radius\nend\n"
+               "local function g()\n  return f()\nend\nlocal r = g()")
+        << 0;
+}
+
+void TestMeant::aMissingArgumentIsSoughtAtTheCall()
+{
+    QFETCH(QString, source);
+    QFETCH(int, line);
+    const ScriptRun run = runScript(source);
+    QVERIFY(run.error);
+    const QString hint = lua("Look at what the call in line %1 gives for it").arg(line);
+    QCOMPARE(run.error->message.contains(lua("the call in line")), line > 0);
+    QVERIFY2(line == 0 || run.error->message.endsWith(hint), qPrintable(run.error->message));
 }
 
 void TestMeant::otherErrorsKeepTheirWords_data()

@@ -8301,6 +8301,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
         <translation>⁦`%1`⁩ ليس من لغة Lua في المختبر؛ انظر صفحة المرجع ⁦(F1)⁩ لما هو منها</translation>
     </message>
+    <message>
+        <source>. Look at what the call in line %1 gives for it</source>
+        <translation>. انظر ماذا يعطيه الاستدعاء في السطر ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>`%1` is not known here: it is local to another block, in line %2; a function gets what it needs as an argument, or makes it itself</source>
+        <translation>⁦`%1`⁩ غير معروف هنا: هو محلي في كتلة أخرى، في السطر ⁨%2⁩؛ ما تحتاج إليه الدالة يُعطى لها وسيطًا أو تصنعه بنفسها</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>

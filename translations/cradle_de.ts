@@ -8261,6 +8261,14 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
         <translation>`%1` gehört nicht zum Lua des Labs; was dazugehört, steht in der API-Referenz (F1)</translation>
     </message>
+    <message>
+        <source>. Look at what the call in line %1 gives for it</source>
+        <translation>. Sieh nach, was der Aufruf in Zeile %1 dafür übergibt</translation>
+    </message>
+    <message>
+        <source>`%1` is not known here: it is local to another block, in line %2; a function gets what it needs as an argument, or makes it itself</source>
+        <translation>`%1` ist hier nicht bekannt: Es gilt nur in einem anderen Block, in Zeile %2; was eine Funktion braucht, bekommt sie als Argument oder macht sie selbst</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>

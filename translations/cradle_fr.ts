@@ -8261,6 +8261,14 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>`%1` is not part of the lab&apos;s Lua; see the API page (F1) for what is</source>
         <translation>`%1` ne fait pas partie du Lua du TP&#xa0;; voir la page de l&apos;API (F1) pour ce qui en fait partie</translation>
     </message>
+    <message>
+        <source>. Look at what the call in line %1 gives for it</source>
+        <translation>. Regardez ce que l&apos;appel de la ligne %1 donne pour lui</translation>
+    </message>
+    <message>
+        <source>`%1` is not known here: it is local to another block, in line %2; a function gets what it needs as an argument, or makes it itself</source>
+        <translation>`%1` n&apos;est pas connu ici&#xa0;: il est local à un autre bloc, à la ligne %2&#xa0;; ce dont une fonction a besoin lui est donné en argument, ou elle le fait elle-même</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>

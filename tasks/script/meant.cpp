@@ -58,6 +58,17 @@ QString noSuchCircle(const ScriptHost &host, const QString &message, const QStri
         .arg(host.circles.size());
 }
 
+/// A parameter that holds nothing is most often a call that gave nothing for it.
+QString missingArgument(const ScriptHost &host, const QString &message, const QString &source)
+{
+    static const QRegularExpression named(QStringLiteral("\\bnil value \\(local '(\\w+)'\\)"));
+    const QString name = named.match(message).captured(1);
+    const QRegularExpression assigned(QStringLiteral("\\b%1\\s*(,[^=\\n]*)?=(?!=)").arg(name));
+    if (host.calledFrom == 0 || !host.missing.contains(name) || source.contains(assigned))
+        return {};
+    return MeantText::tr(". Look at what the call in line %1 gives for it").arg(host.calledFrom);
+}
+
 /// math.sqrt for Math.Sqrt.
 QString meantByMath(const QString &member)
 {
@@ -84,6 +95,9 @@ QString meantAtRunTime(lua_State *L, const QString &message, int line, const QSt
         if (const auto match = length.match(code); match.hasMatch())
             return MeantText::tr(". The length of a list is #%1").arg(match.captured(1));
     }
+    if (const QString missing = missingArgument(ScriptHost::of(L), message, source);
+        !missing.isEmpty())
+        return missing;
     if (isNil && message.startsWith(QLatin1String("attempt to index")))
         return noSuchCircle(ScriptHost::of(L), message, code, source);
     if (message.startsWith(QLatin1String("attempt to add "))
@@ -150,12 +164,16 @@ QString meantByLocals(lua_State *L, const QString &name, QStringList &visible)
                        "it up, or leave out `local`")
                 .arg(name)
                 .arg(local.line);
-        if (local.lastLine < line || local.line > line)
-            elsewhere =
-                MeantText::tr("`%1` is not known here: it is local to the block of line %2; "
-                              "declare it before that block")
-                    .arg(name)
-                    .arg(local.line);
+        if (local.lastLine >= line && local.line <= line)
+            continue;
+        elsewhere =
+            isInCurrentFunction(L, local.line)
+                ? MeantText::tr("`%1` is not known here: it is local to the block of line "
+                                "%2; declare it before that block")
+                : MeantText::tr(
+                    "`%1` is not known here: it is local to another block, in "
+                    "line %2; a function gets what it needs as an argument, or makes it itself");
+        elsewhere = elsewhere.arg(name).arg(local.line);
     }
     return elsewhere;
 }

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 
+#include <optional>
 #include <utility>
 
 namespace cradle {
@@ -34,15 +35,25 @@ locale_t plainLocale()
     return plain;
 }
 
-/// The innermost function of the program on the stack, with its line.
-bool findLevel(lua_State *L, lua_Debug &where)
+/// The innermost function of the program on the stack, with its line: its level, or none.
+std::optional<int> findLevel(lua_State *L, lua_Debug &where)
 {
     for (int level = 0; lua_getstack(L, level, &where) != 0; ++level) {
-        lua_getinfo(L, "Sl", &where);
+        lua_getinfo(L, "Slut", &where);
         if (where.currentline > 0 && isOfProgram(where))
-            return true;
+            return level;
     }
-    return false;
+    return std::nullopt;
+}
+
+/// The line of the program that called the function \p where of \p level; 0 if that is not known.
+int callerOf(lua_State *L, const lua_Debug &where, int level)
+{
+    lua_Debug caller{};
+    if (where.istailcall != 0 || lua_getstack(L, level + 1, &caller) == 0)
+        return 0;
+    lua_getinfo(L, "Sl", &caller);
+    return isOfProgram(caller) ? std::max(0, caller.currentline) : 0;
 }
 
 } // namespace
@@ -197,20 +208,35 @@ int currentLine(lua_State *L)
     return findLevel(L, where) ? where.currentline : 0;
 }
 
+bool isInCurrentFunction(lua_State *L, int line)
+{
+    lua_Debug where{};
+    // The outermost one has no first line.
+    return findLevel(L, where)
+           && (where.linedefined <= 0
+               || (where.linedefined <= line && where.lastlinedefined >= line));
+}
+
 void noteError(lua_State *L)
 {
     ScriptHost &host = ScriptHost::of(L);
     ProgramError &error = host.caught;
     error = {};
+    host.missing.clear();
+    host.calledFrom = 0;
     lua_Debug where{};
-    if (findLevel(L, where)) {
-        error.line = where.currentline;
-        for (int i = 1; const char *name = lua_getlocal(L, &where, i); ++i) {
-            // Those in brackets are Lua's own.
-            if (*name != '(')
-                error.locals.push_back({QString::fromUtf8(name), describeValue(L, -1)});
-            lua_pop(L, 1);
-        }
+    const std::optional<int> level = findLevel(L, where);
+    if (!level)
+        return;
+    error.line = where.currentline;
+    host.calledFrom = callerOf(L, where, *level);
+    for (int i = 1; const char *name = lua_getlocal(L, &where, i); ++i) {
+        if (i <= where.nparams && lua_isnil(L, -1))
+            host.missing.append(QString::fromUtf8(name));
+        // Those in brackets are Lua's own.
+        if (*name != '(')
+            error.locals.push_back({QString::fromUtf8(name), describeValue(L, -1)});
+        lua_pop(L, 1);
     }
 }
 

@@ -6,6 +6,8 @@
 #include "tasks/script/lua_state.h"
 #include "tasks/script/trace.h"
 
+#include <QStringList>
+
 #include <array>
 #include <chrono>
 #include <functional>
@@ -74,6 +76,10 @@ struct ScriptHost {
     QString source{};
     Trace *trace = nullptr; ///< of the update that runs, if it is written down
     ProgramError caught{};  ///< the line and the locals of the last error
+    /// Of the function where that was: its parameters that held nothing, and the line that called
+    /// it; 0 if that is not known.
+    QStringList missing{};
+    int calledFrom = 0;
 };
 
 /// Raises an error of the program at its current line. Never returns. Counts what it costs to find
@@ -96,5 +102,8 @@ struct ScriptHost {
 
 /// The line of the program that runs now; 0 if none does.
 [[nodiscard]] int currentLine(lua_State *L);
+
+/// Whether \p line stands within the innermost function of the program that runs.
+[[nodiscard]] bool isInCurrentFunction(lua_State *L, int line);
 
 } // namespace cradle
