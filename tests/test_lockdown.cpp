@@ -31,6 +31,7 @@ private slots:
     void anythingElseKills();
     void computingGoesOn();
     void memoryEnds();
+    void processorTimeEnds_data();
     void processorTimeEnds();
     void lackingIsolationIsNamed();
 };
@@ -168,16 +169,28 @@ void TestLockdown::memoryEnds()
     QCOMPARE(WEXITSTATUS(status), done);
 }
 
+void TestLockdown::processorTimeEnds_data()
+{
+    QTest::addColumn<qint64>("entered");
+    QTest::addColumn<qint64>("allowed"); // later; -1: nothing is said then
+    QTest::newRow("from the start") << qint64(1) << qint64(-1);
+    QTest::newRow("from later on") << qint64(60) << qint64(0);
+}
+
 void TestLockdown::processorTimeEnds()
 {
+    QFETCH(qint64, entered);
+    QFETCH(qint64, allowed);
     const int status = statusOf(
-        [] {
-            double sum = 0.0;
-            while (sum >= 0.0)
-                sum += processorSeconds();
+        [allowed] {
+            if (allowed >= 0)
+                Lockdown::allowSeconds(allowed);
+            const double begin = processorSeconds();
+            while (processorSeconds() < begin + 6.0) {
+            }
             return 1;
         },
-        0);
+        entered);
     QVERIFY(WIFSIGNALED(status));
     QCOMPARE(WTERMSIG(status), SIGXCPU);
 }

@@ -20,6 +20,7 @@ private slots:
     void stepsBackAlongTheRecording();
     void seekingIsExactToTheBit();
     void seekingStaysWithinTheRecording();
+    void goesToAStepThatWasMadeOrIsToCome();
     void thePastIsNotWorkedOutAgain();
     void goesOnFromTheEndAsIfNeverLeft();
     void restartsFromThePreset();
@@ -94,6 +95,16 @@ void TestSimulation::seekingStaysWithinTheRecording()
     QCOMPARE(simulation.current(), qint64{0});
     simulation.seek(1000);
     QCOMPARE(simulation.current(), qint64{10});
+}
+
+void TestSimulation::goesToAStepThatWasMadeOrIsToCome()
+{
+    Simulation simulation(lively());
+    for (const qint64 step : {7, 3, 7, 0, 12}) {
+        simulation.goTo(step);
+        QCOMPARE(simulation.current(), step);
+    }
+    QCOMPARE(simulation.recording().last(), qint64{12});
 }
 
 void TestSimulation::thePastIsNotWorkedOutAgain()

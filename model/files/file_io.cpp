@@ -36,9 +36,8 @@ Error errorOf(int number, const QString &path)
 int writeAll(int descriptor, const char *data, qsizetype size)
 {
     while (size > 0) {
-        const ssize_t written = ::write(descriptor, data, static_cast<std::size_t>(size));
-        if (written < 0 && errno == EINTR)
-            continue;
+        const ssize_t written =
+            TEMP_FAILURE_RETRY(::write(descriptor, data, static_cast<std::size_t>(size)));
         if (written < 0)
             return errno;
         if (written == 0)

@@ -30,10 +30,8 @@ template <typename Give>
 bool giveAll(const QByteArray &bytes, const Give &give)
 {
     for (qsizetype at = 0; at < bytes.size();) {
-        const ssize_t size =
-            give(bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at));
-        if (size < 0 && errno == EINTR)
-            continue;
+        const ssize_t size = TEMP_FAILURE_RETRY(
+            give(bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at)));
         if (size <= 0)
             return false;
         at += size;
@@ -72,9 +70,8 @@ std::optional<QByteArray> readAll(int descriptor, qint64 most)
     QByteArray bytes;
     QByteArray part(64 * 1024, Qt::Uninitialized);
     for (;;) {
-        const ssize_t size = ::read(descriptor, part.data(), static_cast<std::size_t>(part.size()));
-        if (size < 0 && errno == EINTR)
-            continue;
+        const ssize_t size = TEMP_FAILURE_RETRY(
+            ::read(descriptor, part.data(), static_cast<std::size_t>(part.size())));
         if (size < 0 || bytes.size() + size > most)
             return std::nullopt;
         if (size == 0)
@@ -115,10 +112,7 @@ bool sendMessage(int socket, const ServerMessage &message, const std::vector<int
         control->cmsg_len = CMSG_LEN(bytes);
         std::memcpy(CMSG_DATA(control), descriptors.data(), bytes);
     }
-    ssize_t sent = 0;
-    do {
-        sent = ::sendmsg(socket, &header, MSG_NOSIGNAL);
-    } while (sent < 0 && errno == EINTR);
+    const ssize_t sent = TEMP_FAILURE_RETRY(::sendmsg(socket, &header, MSG_NOSIGNAL));
     return sent == static_cast<ssize_t>(sizeof copy);
 }
 
@@ -132,10 +126,7 @@ std::optional<ReceivedMessage> receiveMessage(int socket)
     header.msg_iovlen = 1;
     header.msg_control = room.data();
     header.msg_controllen = room.size();
-    ssize_t size = 0;
-    do {
-        size = ::recvmsg(socket, &header, MSG_CMSG_CLOEXEC);
-    } while (size < 0 && errno == EINTR);
+    const ssize_t size = TEMP_FAILURE_RETRY(::recvmsg(socket, &header, MSG_CMSG_CLOEXEC));
     for (cmsghdr *control = CMSG_FIRSTHDR(&header); size >= 0 && control;
          control = CMSG_NXTHDR(&header, control)) {
         if (control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_RIGHTS)

@@ -107,10 +107,8 @@ Result<QByteArray> readBelow(const QByteArray &root, const QByteArray &path, qin
     QByteArray bytes(std::min<qint64>(most, info.st_size), Qt::Uninitialized);
     qsizetype got = 0;
     while (got < bytes.size()) {
-        const ssize_t size =
-            ::read(file.number(), bytes.data() + got, static_cast<std::size_t>(bytes.size() - got));
-        if (size < 0 && errno == EINTR)
-            continue;
+        const ssize_t size = TEMP_FAILURE_RETRY(::read(
+            file.number(), bytes.data() + got, static_cast<std::size_t>(bytes.size() - got)));
         if (size < 0)
             return fault(RawFolderText::tr("cannot be read: %1").arg(qt_error_string(errno)));
         if (size == 0)

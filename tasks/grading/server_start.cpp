@@ -193,9 +193,7 @@ void sendToServer(pid_t server, int stream, const QByteArray &bytes)
 int collectServer(pid_t server)
 {
     siginfo_t ended{};
-    while (waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOWAIT) != 0
-           && errno == EINTR) {
-    }
+    TEMP_FAILURE_RETRY(waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOWAIT));
     kill(-server, SIGKILL); // until it is collected no other group has its number
     int status = 0;
     waitpid(server, &status, 0);

@@ -210,9 +210,7 @@ void Workers::readControl(std::vector<WorkerEvent> &events)
 void Workers::readResults(int worker, Running &running, std::vector<WorkerEvent> &events)
 {
     char part[64 * 1024];
-    const ssize_t size = read(running.results.number(), part, sizeof part);
-    if (size < 0 && errno == EINTR)
-        return;
+    const ssize_t size = TEMP_FAILURE_RETRY(read(running.results.number(), part, sizeof part));
     if (size <= 0) {
         running.results.close();
         return;
