@@ -11,7 +11,8 @@
 
 namespace cradle {
 
-/// Colours (#rrggbb) that colour-blind people can tell apart, as far as eight can be.
+/// Colours (six hexadecimal digits behind a \#) that colour-blind people can tell apart, as far as
+/// eight can be.
 [[nodiscard]] const QStringList &circleColours();
 
 /// \p preset with one more circle: like the last one, at rest, with the next free name and

@@ -15,7 +15,7 @@ namespace cradle {
 struct Pile {
     using Body = std::uint32_t; ///< a circle, or a wall
 
-    /// \param ids  the circles' names, by which their pushes are known in the next step
+    /// \param names  of the circles, by which their pushes are known in the next step
     /// \param step  s
     Pile(const Rules &ruled, std::span<const Circle> unsorted, std::span<const std::uint32_t> names,
          double step);

@@ -15,6 +15,7 @@
 
 #include <QCoreApplication>
 #include <QDataStream>
+#include <QIODevice>
 
 #include <algorithm>
 

@@ -8,6 +8,7 @@
 #include "tasks/reading/lab_reader.h"
 
 #include <QDataStream>
+#include <QIODevice>
 #include <QtEndian>
 
 #include <array>

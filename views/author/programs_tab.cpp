@@ -17,6 +17,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QSplitter>
 #include <QToolButton>
 
 #include <utility>

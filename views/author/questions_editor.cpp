@@ -14,6 +14,7 @@
 #include "views/task_pane/questions_card.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>

@@ -9,6 +9,7 @@
 class QKeyEvent;
 class QLabel;
 class QPushButton;
+class QSpacerItem;
 class QTableView;
 
 namespace cradle {
