@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/runs/shot_scene.h"
 
-#include "model/run/stepper.h"
+#include "model/run/runner.h"
 
 #include <algorithm>
 #include <limits>
@@ -101,13 +101,11 @@ Way idealWay(const Preset &preset, std::size_t index, double duration)
     Preset alone = preset;
     alone.circles = {preset.circles[index]};
     alone.laws = {WallLaw::Reflect, CircleLaw::None, Timing::Continuous};
-    Stepper stepper(alone);
-    World world = initialWorld(alone);
-    std::vector<Hit> hits;
+    Runner run(alone);
     Way way{{}, preset.circles[index].body.radius};
-    while (world.time < duration) {
-        way.places.push_back(world.circles[0].position);
-        stepper.advance(world, hits);
+    while (run.world().time < duration) {
+        way.places.push_back(run.world().circles[0].position);
+        run.step();
     }
     return way;
 }
