@@ -26,21 +26,28 @@ private slots:
 void TestProgressFiles::movesABrokenFileAside_data()
 {
     QTest::addColumn<QByteArray>("text");
-    QTest::newRow("empty") << QByteArray();
-    QTest::newRow("cut off") << QByteArray(R"({"format": 1, "labs": {"lab-4.2": {"cur)");
-    QTest::newRow("a list") << QByteArray("[]");
-    QTest::newRow("no format") << QByteArray("{}");
-    QTest::newRow("a later format") << QByteArray(R"({"format": 2, "labs": {}})");
-    QTest::newRow("binary") << QByteArray("\x00\xff\xfe\x01", 4);
+    QTest::addColumn<QString>("why");
+    const auto add = [](const char *name, const QByteArray &text, const char *why) {
+        QTest::newRow(name) << text << QString::fromUtf8(why);
+    };
+    add("empty", {}, "this is not JSON");
+    add("cut off", R"({"format": 1, "labs": {"lab-4.2": {"cur)", "this is not JSON");
+    add("a list", "[]", "right would be an object with format and labs");
+    add("no format", "{}", "\"format\" is missing");
+    add("format as a text", R"({"format": "1"})", "right would be 1, the format that this");
+    add("a later format", R"({"format": 2, "labs": {}})", "needs a newer Cradle: format 2");
+    add("binary", QByteArray("\x00\xff\xfe\x01", 4), "this is not JSON");
 }
 
 void TestProgressFiles::movesABrokenFileAside()
 {
     QFETCH(QByteArray, text);
+    QFETCH(QString, why);
     write(text);
     ProgressStore store(path());
     const auto error = store.load();
     QVERIFY(error);
+    QVERIFY2(error->message.contains(why), qPrintable(error->message));
     QCOMPARE(error->file, path());
     QVERIFY(!QFile::exists(path()));
     // Its place is named, and what was in it is still there.

@@ -6967,12 +6967,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 <context>
     <name>Progress</name>
     <message>
-        <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
-        <translation>تعذّرت قراءة تقدّمك ونُقل إلى ⁨%1⁩؛ يبدأ Cradle من جديد</translation>
-    </message>
-    <message>
         <source>your progress could not be saved: %1</source>
         <translation>تعذّر حفظ تقدّمك: ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>your progress could not be read (%2) and was moved to %1; Cradle begins anew</source>
+        <translation>تعذّرت قراءة تقدّمك (⁨%2⁩) ونُقل إلى ⁨%1⁩؛ يبدأ Cradle من جديد</translation>
     </message>
 </context>
 <context>
@@ -7636,6 +7636,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>a short name of letters, digits, dots, dashes and underscores</source>
         <translation>اسم قصير من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
+    </message>
+    <message>
+        <source>an object with format and labs</source>
+        <translation>كائن فيه format وlabs</translation>
+    </message>
+    <message>
+        <source>an object with the progress in each lab by its id</source>
+        <translation>كائن فيه التقدّم في كل مختبر بحسب معرّفه</translation>
     </message>
 </context>
 <context>

@@ -6931,12 +6931,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
 <context>
     <name>Progress</name>
     <message>
-        <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
-        <translation>dein Fortschritt konnte nicht gelesen werden und liegt jetzt in %1; Cradle beginnt von vorn</translation>
-    </message>
-    <message>
         <source>your progress could not be saved: %1</source>
         <translation>dein Fortschritt konnte nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>your progress could not be read (%2) and was moved to %1; Cradle begins anew</source>
+        <translation>dein Fortschritt konnte nicht gelesen werden (%2) und liegt jetzt in %1; Cradle beginnt von vorn</translation>
     </message>
 </context>
 <context>
@@ -7596,6 +7596,14 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>a short name of letters, digits, dots, dashes and underscores</source>
         <translation>ein kurzer Name aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
+    </message>
+    <message>
+        <source>an object with format and labs</source>
+        <translation>ein Objekt mit format und labs</translation>
+    </message>
+    <message>
+        <source>an object with the progress in each lab by its id</source>
+        <translation>ein Objekt mit dem Fortschritt in jedem Lab nach dessen Kennung</translation>
     </message>
 </context>
 <context>

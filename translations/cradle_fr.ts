@@ -6931,12 +6931,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
 <context>
     <name>Progress</name>
     <message>
-        <source>your progress could not be read and was moved to %1; Cradle begins anew</source>
-        <translation>votre progression n&apos;a pas pu être lue et a été déplacée vers %1&#xa0;; Cradle repart de zéro</translation>
-    </message>
-    <message>
         <source>your progress could not be saved: %1</source>
         <translation>votre progression n&apos;a pas pu être enregistrée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>your progress could not be read (%2) and was moved to %1; Cradle begins anew</source>
+        <translation>votre progression n&apos;a pas pu être lue (%2) et a été déplacée vers %1&#xa0;; Cradle repart de zéro</translation>
     </message>
 </context>
 <context>
@@ -7596,6 +7596,14 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>a short name of letters, digits, dots, dashes and underscores</source>
         <translation>un nom court fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
+    </message>
+    <message>
+        <source>an object with format and labs</source>
+        <translation>un objet avec format et labs</translation>
+    </message>
+    <message>
+        <source>an object with the progress in each lab by its id</source>
+        <translation>un objet avec la progression dans chaque TP par son identifiant</translation>
     </message>
 </context>
 <context>

@@ -113,16 +113,19 @@ QJsonObject jsonOf(const LabProgress &lab)
     return {{QStringLiteral("current"), lab.currentTask}, {QStringLiteral("tasks"), tasks}};
 }
 
-/// Nothing if the file is no progress.
-std::optional<std::map<QString, LabProgress>> labsIn(const QString &path)
+/// A file that is progress as a whole; what is wrong inside of it is left out, value by value, so
+/// that no slip of a disk or of a hand takes what else was passed.
+Result<std::map<QString, LabProgress>> labsIn(const QString &path)
 {
     const Result<QByteArray> text = readFile(path, maxBytes);
-    const QJsonDocument document = QJsonDocument::fromJson(text ? *text : QByteArray());
-    if (!document.isObject() || document.object().value(QStringLiteral("format")).toInt() != 1)
-        return std::nullopt;
+    if (!text)
+        return text.error();
+    const auto json = parseJson(*text, QStringLiteral(":/schemas/progress.schema.json"), path);
+    if (!json)
+        return json.error();
     std::map<QString, LabProgress> labs;
-    const QJsonObject json = document.object().value(QStringLiteral("labs")).toObject();
-    for (auto lab = json.begin(); lab != json.end(); ++lab)
+    const QJsonObject all = json->value(QStringLiteral("labs")).toObject();
+    for (auto lab = all.begin(); lab != all.end(); ++lab)
         labs[lab.key()] = labFrom(lab.value().toObject());
     return labs;
 }
@@ -158,13 +161,14 @@ std::optional<Error> ProgressStore::load()
     m_read.clear();
     if (!QFileInfo::exists(m_path))
         return std::nullopt;
-    if (auto labs = labsIn(m_path)) {
+    auto labs = labsIn(m_path);
+    if (labs) {
         m_read = std::move(*labs);
         return std::nullopt;
     }
-    return Error{.message = ProgressText::tr("your progress could not be read and was moved to "
-                                             "%1; Cradle begins anew")
-                                .arg(moveAside(m_path)),
+    return Error{.message = ProgressText::tr("your progress could not be read (%2) and was moved "
+                                             "to %1; Cradle begins anew")
+                                .arg(moveAside(m_path), labs.error().message),
                  .file = m_path};
 }
 
@@ -203,9 +207,13 @@ std::optional<Error> ProgressStore::save() const
     if (!error)
         alone.tryLock(lockPatience);
     QJsonObject labs;
-    const auto there = QFileInfo::exists(m_path) ? labsIn(m_path) : std::nullopt;
-    if (!there && QFileInfo::exists(m_path))
-        moveAside(m_path);
+    std::optional<std::map<QString, LabProgress>> there;
+    if (QFileInfo::exists(m_path)) {
+        if (auto kept = labsIn(m_path))
+            there = std::move(*kept);
+        else
+            moveAside(m_path);
+    }
     for (const auto &[id, lab] : there ? *there : m_read)
         labs.insert(id, jsonOf(lab));
     for (const auto &[id, lab] : m_labs) {
