@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/simulate_run.h"
+#include "tests/cli/simulate_test.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -31,7 +31,7 @@ private slots:
     void unreadableInputNamesItsPlace();
 
 private:
-    SimulateRun m_run;
+    SimulateTest m_run;
 };
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/simulate_run.h"
+#include "tests/cli/simulate_test.h"
 
 using namespace cradle::programs;
 using cradle::scenes::dt;
@@ -36,7 +36,7 @@ private:
                               text(options) + text(" --script ") + program(source));
     }
 
-    SimulateRun m_run;
+    SimulateTest m_run;
 };
 
 namespace {

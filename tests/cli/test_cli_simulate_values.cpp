@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/simulate_run.h"
+#include "tests/cli/simulate_test.h"
 
 #include <array>
 
@@ -22,7 +22,7 @@ private slots:
     void wallHitIsNamed();
 
 private:
-    SimulateRun m_run;
+    SimulateTest m_run;
 };
 
 void TestCliSimulateValues::integratorFollowsItsRecurrence_data()

@@ -213,7 +213,6 @@ void TestAuthorLosses::reloadAsksAndShowsTheDifference()
     const QTemporaryDir folder;
     OpenAuthor author(folder);
     openBall(author, folder);
-    QTest::qWait(600); // for the watcher to tell of our own save, which is no news
     const QString path = QStringLiteral("BALL1/instructions.md");
     QVERIFY(author.document().edit(QStringLiteral("edit"),
                                    withText(author.files(), path, QStringLiteral("# Mine\n"))));

@@ -12,7 +12,7 @@ inline const QByteArray glancing = R"([{"position": [-2, 2.3], "velocity": [2, 0
                                 {"position": [2, 2], "radius": 0.2}])";
 
 /// Runs cradle-cli simulate in a folder of its own.
-class SimulateRun
+class SimulateTest
 {
 public:
     [[nodiscard]] QString preset(const QByteArray &circles, const QByteArray &laws = "{}",
