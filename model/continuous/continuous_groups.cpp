@@ -17,47 +17,27 @@ constexpr std::size_t largestGroup = 8;
 
 } // namespace
 
-bool ContinuousSolver::isActive(Slot slot) const
-{
-    return m_places[slot] < m_members.size() && m_members[m_places[slot]].slot == slot;
-}
-
+/// The member that a circle is from now on; who sleeps with it wakes.
 std::uint32_t ContinuousSolver::activate(Slot slot)
 {
-    if (!isActive(slot)) {
-        m_places[slot] = static_cast<std::uint32_t>(m_members.size());
-        m_members.push_back({.slot = slot, .group = m_places[slot], .changed = true});
+    if (!m_groups.has(slot)) {
+        m_groups.add(slot);
         if (sleeps(slot))
             wake(slot);
     }
-    return m_places[slot];
-}
-
-/// The member that stands for the group of another.
-std::uint32_t ContinuousSolver::groupOf(std::uint32_t member)
-{
-    while (m_members[member].group != member) {
-        m_members[member].group = m_members[m_members[member].group].group;
-        member = m_members[member].group;
-    }
-    return member;
+    return m_groups.of(slot);
 }
 
 void ContinuousSolver::join(Slot a, Slot b)
 {
-    const std::uint32_t first = groupOf(activate(a));
-    const std::uint32_t second = groupOf(activate(b));
-    if (first == second)
-        return;
-    m_members[std::max(first, second)].group = std::min(first, second);
-    m_members[std::min(first, second)].changed = true;
-    m_members[std::min(first, second)].size += m_members[std::max(first, second)].size;
+    const std::uint32_t first = activate(a);
+    m_groups.join(first, activate(b));
 }
 
 /// Who meets in this step, as far as free flight tells.
 void ContinuousSolver::findGroups()
 {
-    m_members.clear();
+    m_groups.clear();
     m_kicked = 0.0;
     m_inVain.clear();
     for (const Candidates &pair : m_resting)
@@ -85,32 +65,32 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
         if (m_piles)
             foreseePiles();
         m_order.clear();
-        for (std::uint32_t i = 0; i < m_members.size(); ++i) {
-            const std::uint32_t group = groupOf(i);
-            if (m_members[group].changed)
-                m_order.push_back({group, m_ids[m_members[i].slot], i});
+        for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+            const std::uint32_t group = m_groups.groupOf(i);
+            if (m_groups[group].changed)
+                m_order.push_back({group, m_ids[m_groups[i].slot], i});
         }
         if (m_order.empty())
             break;
         std::sort(m_order.begin(), m_order.end());
         for (std::size_t begin = 0; begin < m_order.size();) {
             const std::span<const Place> places = groupFrom(begin);
-            m_members[places[0].group].changed = false;
-            m_members[places[0].group].run = ++m_runs;
+            m_groups[places[0].group].changed = false;
+            m_groups[places[0].group].run = ++m_runs;
             solve(places);
             begin += places.size();
         }
         for (const Place &place : m_order)
-            m_kicked = std::max(m_kicked, m_members[place.member].fastest);
+            m_kicked = std::max(m_kicked, m_groups[place.member].fastest);
         for (const Place &place : m_order) {
-            const Member &member = m_members[place.member];
+            const Member &member = m_groups[place.member];
             if (member.disturbed && member.fastest > member.foreseen)
                 widen(place.member);
         }
     }
     // In the order of time, those of one moment as they were found.
     std::erase_if(m_found, [this](const Found &found) {
-        return m_members[groupOf(found.member)].run != found.run;
+        return m_groups[m_groups.groupOf(found.member)].run != found.run;
     });
     m_sequence.clear();
     for (std::uint32_t i = 0; i < m_found.size(); ++i)
@@ -119,7 +99,7 @@ void ContinuousSolver::solveGroups(std::vector<Hit> &hits)
     for (const auto &[time, i] : m_sequence)
         hits.push_back(m_found[i].hit);
     for (const Touching &touching : m_touching) {
-        if (m_members[groupOf(touching.member)].run == touching.run)
+        if (m_groups[m_groups.groupOf(touching.member)].run == touching.run)
             m_resting.push_back(touching.pair);
     }
 }
@@ -144,12 +124,12 @@ void ContinuousSolver::foreseePiles()
 {
     for (bool grown = true; grown;) {
         grown = false;
-        for (std::uint32_t i = 0; i < m_members.size(); ++i) { // while more of them join
-            const Member &group = m_members[groupOf(i)];
-            if (m_members[i].foreseen >= 0.0 || !group.changed || !isPile(group.size))
+        for (std::uint32_t i = 0; i < m_groups.size(); ++i) { // while more of them join
+            const Member &group = m_groups[m_groups.groupOf(i)];
+            if (m_groups[i].foreseen >= 0.0 || !group.changed || !isPile(group.size))
                 continue;
-            const double fastest = length(m_motions[m_members[i].slot].velocity) + m_gravity * m_dt;
-            m_members[i].fastest = m_members[i].foreseen = fastest;
+            const double fastest = length(m_motions[m_groups[i].slot].velocity) + m_gravity * m_dt;
+            m_groups[i].fastest = m_groups[i].foreseen = fastest;
             m_kicked = std::max(m_kicked, fastest);
             widen(i);
             grown = true;
@@ -161,19 +141,18 @@ void ContinuousSolver::foreseePiles()
 void ContinuousSolver::solve(std::span<const Place> places)
 {
     if (places.size() == 2
-        && solvePair(m_members[places[0].member], m_members[places[1].member],
-                     m_members[places[0].group].run))
+        && solvePair(places[0].member, places[1].member, m_groups[places[0].group].run))
         return;
     m_world.time = m_time;
     m_world.step = m_stepNumber;
     m_world.circles.clear();
     m_groupRules.integrators.clear();
     for (const Place &place : places) {
-        const Slot slot = m_members[place.member].slot;
+        const Slot slot = m_groups[place.member].slot;
         m_world.circles.push_back({m_motions[slot].position, m_motions[slot].velocity,
                                    m_radii[slot], m_densities[m_ids[slot]]});
         m_groupRules.integrators.push_back(m_integrators[m_ids[slot]]);
-        m_members[place.member].fastest = lengthSquared(m_motions[slot].velocity);
+        m_groups[place.member].fastest = lengthSquared(m_motions[slot].velocity);
     }
     m_hits.clear();
     const bool pile = isPile(places.size());
@@ -186,14 +165,14 @@ void ContinuousSolver::solve(std::span<const Place> places)
         m_step.run(m_groupRules, m_world, m_dt, m_hits);
     }
 
-    const std::uint32_t run = m_members[places[0].group].run;
+    const std::uint32_t run = m_groups[places[0].group].run;
     const auto memberOf = [&](int index) { return places[static_cast<std::size_t>(index)].member; };
     for (Hit hit : m_hits) {
-        Member &a = m_members[memberOf(hit.a)];
+        Member &a = m_groups[memberOf(hit.a)];
         a.fastest = std::max(a.fastest, lengthSquared(hit.afterA));
         const std::uint32_t owner = memberOf(hit.a);
         if (hit.kind == Hit::Kind::Circle) {
-            Member &b = m_members[memberOf(hit.b)];
+            Member &b = m_groups[memberOf(hit.b)];
             b.fastest = std::max(b.fastest, lengthSquared(hit.afterB));
             hit.b = static_cast<int>(m_ids[b.slot]);
         }
@@ -202,9 +181,9 @@ void ContinuousSolver::solve(std::span<const Place> places)
     }
     for (const auto &[a, b] : pile ? m_pile.pushingPairs() : m_step.restingPairs())
         m_touching.push_back(
-            {run, memberOf(a), {m_members[memberOf(a)].slot, m_members[memberOf(b)].slot}});
+            {run, memberOf(a), {m_groups[memberOf(a)].slot, m_groups[memberOf(b)].slot}});
     for (std::size_t i = 0; i < places.size(); ++i) {
-        Member &member = m_members[places[i].member];
+        Member &member = m_groups[places[i].member];
         const Circle &circle = m_world.circles[i];
         member.after = {circle.position, circle.velocity};
         member.fastest = std::sqrt(std::max(member.fastest, lengthSquared(circle.velocity)));
@@ -216,13 +195,13 @@ void ContinuousSolver::solve(std::span<const Place> places)
 double ContinuousSolver::fastestOf(Slot slot) const
 {
     const double speed = std::sqrt(lengthSquared(m_motions[slot].velocity));
-    return isActive(slot) ? std::max(speed, m_members[m_places[slot]].fastest) : speed;
+    return m_groups.has(slot) ? std::max(speed, m_groups[m_groups.of(slot)].fastest) : speed;
 }
 
 /// A member that has left its free flight takes in whom it could reach before the step ends.
-void ContinuousSolver::widen(std::size_t index)
+void ContinuousSolver::widen(std::uint32_t index)
 {
-    const Member member = m_members[index];
+    const Member member = m_groups[index];
     if (m_rules.laws.circles == CircleLaw::None)
         return;
     const Vec2 place = m_motions[member.slot].position;

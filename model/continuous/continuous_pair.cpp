@@ -11,8 +11,10 @@ namespace cradle {
 // as ContinuousStep would do, without looking for anything else.
 
 /// \return false if it is not that simple; then nothing was done
-bool ContinuousSolver::solvePair(Member &first, Member &second, std::uint32_t run)
+bool ContinuousSolver::solvePair(std::uint32_t member, std::uint32_t other, std::uint32_t run)
 {
+    Member &first = m_groups[member];
+    Member &second = m_groups[other];
     const CircleLaw law = m_rules.laws.circles;
     const double e = law == CircleLaw::Impulse ? m_rules.restitution : 1.0;
     if ((law != CircleLaw::Impulse && law != CircleLaw::SwapNormal) || e == 0.0)
@@ -56,8 +58,7 @@ bool ContinuousSolver::solvePair(Member &first, Member &second, std::uint32_t ru
     mb.velocity += changeB;
     hit.afterA = inOrder ? ma.velocity : mb.velocity;
     hit.afterB = inOrder ? mb.velocity : ma.velocity;
-    const auto owner = static_cast<std::uint32_t>(&first - m_members.data());
-    m_found.push_back({run, owner, hit});
+    m_found.push_back({run, member, hit});
     first.after = cradle::advance(Integrator::Verlet, ma, m_rules.gravity, m_dt - *s);
     second.after = cradle::advance(Integrator::Verlet, mb, m_rules.gravity, m_dt - *s);
     first.fastest = second.fastest = fastest + m_gravity * m_dt;

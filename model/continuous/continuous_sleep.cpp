@@ -32,22 +32,22 @@ void ContinuousSolver::layToSleep()
 {
     const double gain = m_gravity * m_dt;
     const double steps = std::min(untilSleep / m_dt, mostStill);
-    for (std::uint32_t i = 0; i < m_members.size(); ++i) {
-        Member &group = m_members[groupOf(i)];
-        const Motion &after = m_members[i].after;
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        Member &group = m_groups[m_groups.groupOf(i)];
+        const Motion &after = m_groups[i].after;
         const bool pile = isPile(group.size);
         const double rows = pile ? std::sqrt(static_cast<double>(group.size)) : 0.0;
         const double reach = lying * gain * untilSleep * std::max(1.0, rows / fewRows);
         const bool slow = length(after.velocity) <= (pile ? shaking : roundedSpeed) * gain;
-        if (m_sleep.countStill(m_ids[m_members[i].slot], slow, after.position, reach) < steps)
+        if (m_sleep.countStill(m_ids[m_groups[i].slot], slow, after.position, reach) < steps)
             group.restless = true;
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> tired; // group, circle
-    for (std::uint32_t i = 0; i < m_members.size(); ++i) {
-        const std::uint32_t group = groupOf(i);
-        if (m_members[group].restless)
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        const std::uint32_t group = m_groups.groupOf(i);
+        if (m_groups[group].restless)
             continue;
-        const Slot slot = m_members[i].slot;
+        const Slot slot = m_groups[i].slot;
         m_motions[slot].velocity = Vec2{};
         m_slotOf[m_ids[slot]] = slot;
         tired.emplace_back(group, m_ids[slot]);

@@ -84,7 +84,7 @@ void ContinuousSolver::startSteps(const Rules &rules, std::span<const Circle> ci
     m_skinWidth =
         skinShare * span / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1)));
     m_resting.clear();
-    m_places.assign(count, 0);
+    m_groups.start(count);
     m_dt = 0.0;
 }
 
@@ -120,7 +120,7 @@ void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hit
     solveGroups(hits);
     // Fly freely where nothing is met.
     flyFreely();
-    for (const Member &member : m_members)
+    for (const Member &member : m_groups)
         m_motions[member.slot] = member.after;
     // Leave alone what has long been at rest.
     if (m_piles)
@@ -133,7 +133,7 @@ void ContinuousSolver::advancePart(double dt, double time, std::vector<Hit> &hit
 
 void ContinuousSolver::scheduleMembers()
 {
-    for (const Member &member : m_members) {
+    for (const Member &member : m_groups) {
         m_skin.note(member.fastest, m_index);
         if (m_index < m_skin.steps())
             scheduleAround(member.slot);

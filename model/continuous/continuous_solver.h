@@ -7,6 +7,7 @@
 #include "model/continuous/pile_step.h"
 #include "model/continuous/sleeping_islands.h"
 #include "model/continuous/sort_skin.h"
+#include "model/continuous/step_groups.h"
 #include "model/exact/exact_solver.h"
 
 #include <array>
@@ -50,7 +51,8 @@ public:
     void read(std::span<Circle> circles) const;
 
 private:
-    using Slot = std::uint32_t;
+    using Slot = StepGroups::Slot;
+    using Member = StepGroups::Member;
     static constexpr Slot wall = 0xffffffffU; ///< as a partner: any of the four
     /// Closing speeds below this share of the speeds may be rest; the whole solver sees to them.
     static constexpr double leastClosing = 1e-6;
@@ -60,19 +62,6 @@ private:
     struct Candidates {
         Slot a = 0;
         Slot b = 0;
-    };
-    /// A circle that does not simply fly on in this step.
-    struct Member {
-        Slot slot = 0;
-        std::uint32_t group = 0; ///< a member of its group that leads to the one that stands for it
-        std::uint32_t run = 0;   ///< of the group, that counts
-        bool changed = false;    ///< the group must be solved
-        bool disturbed = false;  ///< has left its free flight
-        bool restless = false;   ///< one of the group is not at rest for long enough
-        std::uint32_t size = 1;  ///< of the group, if it stands for it
-        double fastest = 0;      ///< speed in the step, m/s
-        double foreseen = -1;    ///< whom it may reach at this speed has joined a pile already, m/s
-        Motion after{};          ///< at the end of the step
     };
     /// A hit, or two that rest, of the group of a member as of one run.
     struct Found {
@@ -121,10 +110,9 @@ private:
     [[nodiscard]] std::span<const Place> groupFrom(std::size_t begin) const;
     void foreseePiles();
     void solve(std::span<const Place> places);
-    bool solvePair(Member &first, Member &second, std::uint32_t run);
-    void widen(std::size_t index);
+    bool solvePair(std::uint32_t member, std::uint32_t other, std::uint32_t run);
+    void widen(std::uint32_t index);
     void join(Slot a, Slot b);
-    std::uint32_t groupOf(std::uint32_t member);
     std::uint32_t activate(Slot slot);
 
     // What sleeps: continuous_sleep.cpp
@@ -132,7 +120,6 @@ private:
     void layToSleep();
     void wake(Slot slot);
     void scheduleSleeper(Slot a, Slot b);
-    [[nodiscard]] bool isActive(Slot slot) const;
     [[nodiscard]] double fastestOf(Slot slot) const;
     [[nodiscard]] double massOf(Slot slot) const;
     [[nodiscard]] bool reachesWall(Slot slot, double speed) const;
@@ -160,7 +147,6 @@ private:
     std::vector<Motion> m_motions;
     std::vector<double> m_radii;
     std::vector<std::uint32_t> m_ids;    ///< which circle a slot holds
-    std::vector<Slot> m_places;          ///< of each slot in m_members, where it is there
     std::vector<Motion> m_sortedMotions; ///< while sorting
     std::vector<double> m_sortedRadii;
     std::vector<std::uint32_t> m_sortedIds;
@@ -174,7 +160,7 @@ private:
     std::array<std::vector<Candidates>, SortSkin::mostSteps>
         m_due;                         ///< who may first meet in each step
     std::vector<Candidates> m_resting; ///< stay in touch from step to step
-    std::vector<Member> m_members;     ///< of this step
+    StepGroups m_groups;               ///< of this step
     double m_kicked = 0;               ///< the fastest of them, m/s
     std::vector<Candidates> m_inVain;  ///< did not meet after all
     std::vector<Place> m_order;
