@@ -62,8 +62,6 @@ public:
     [[nodiscard]] std::vector<Version> versions(const QString &taskId, int most = 1000) const;
     /// The text of a version.
     Result<QByteArray> textOf(const Version &version) const;
-    /// The steps that have versions.
-    [[nodiscard]] QStringList tasksWithVersions() const;
 
     /// The commits of the story in which a step was passed, as versions, the newest first.
     [[nodiscard]] std::vector<Version> passes(int most = 10000) const;

@@ -54,21 +54,6 @@ Result<QByteArray> History::textOf(const Version &version) const
     return text ? Result<QByteArray>(*text) : m_parts->fault();
 }
 
-QStringList History::tasksWithVersions() const
-{
-    QStringList tasks;
-    git_strarray all{};
-    if (git_reference_list(&all, m_parts->repository.get()) != 0)
-        return tasks;
-    for (std::size_t i = 0; i < all.count; ++i) {
-        const QString name = QString::fromUtf8(all.strings[i]);
-        if (name.startsWith(QLatin1String(versionsFolder)))
-            tasks.append(name.mid(static_cast<qsizetype>(sizeof(versionsFolder)) - 1));
-    }
-    git_strarray_dispose(&all);
-    return tasks;
-}
-
 std::vector<Version> History::passes(int most) const
 {
     std::vector<Version> found;
