@@ -223,8 +223,12 @@ struct LawBench {
     }
     [[nodiscard]] QStringList contact(const QString &program) const
     {
+        return headlines(contactFound(program));
+    }
+    [[nodiscard]] std::vector<LawDeviation> contactFound(const QString &program) const
+    {
         const MeasuredLaws own(&program, ground);
-        return headlines(contactDeviations(own.pair(), right.pair(), ground));
+        return contactDeviations(own.pair(), right.pair(), ground);
     }
     [[nodiscard]] QStringList response(const QString &program) const
     {

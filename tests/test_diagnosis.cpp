@@ -238,15 +238,15 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
                     "or math.abs(c.position.y) > room then "
                     "c.velocity = c.velocity:perpendicular() end");
         });
-    row("L42T2", "the left-hand wall holds it",
-        "Nothing turns circle 1 round at the left wall and floor", [](OtherForm &f) {
+    row("L42T2", "the left-hand wall holds it", "At the left wall and floor circle 1 went out",
+        [](OtherForm &f) {
             f.walls =
                 lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
                     "then c.velocity = vec(-math.abs(c.velocity.x), c.velocity.y) end "
                     "if math.abs(c.position.y) > room then "
                     "c.velocity = vec(c.velocity.x, -math.abs(c.velocity.y)) end");
         });
-    row("L42T2", "no ceiling", "Nothing turns circle 1 round at the ceiling", [](OtherForm &f) {
+    row("L42T2", "no ceiling", "At the ceiling circle 1 went out", [](OtherForm &f) {
         f.walls = clamp;
         edit(f.walls, "y > room", "false");
     });

@@ -75,8 +75,7 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
         });
     row("L42T12", "walls and answer",
         {text("Hits at the walls turn both circles round too early"),
-         text("Of two equal circles the whole velocities change hands, not only the parts along "
-              "the normal")},
+         text("Two equal circles exchange their whole velocities")},
         [](OtherForm &f) {
             edit(f.walls, "- c.radius", "- 2 * c.radius");
             f.answer = lab("p.velocity, q.velocity = q.velocity, p.velocity");

@@ -57,8 +57,7 @@ void TestResponseLaw::faultIsNamed_data()
     rows("area and e squared",
          {.mass = text("c.density * c.radius ^ 2"), .e = text("restitution ^ 2")}, {area, squared});
     answer("swap", "p.velocity, q.velocity = q.velocity, p.velocity",
-           "Of two equal circles the whole velocities change hands, not only the parts along "
-           "the normal");
+           "Two equal circles exchange their whole velocities");
     answer("no temp", "p.velocity = q.velocity q.velocity = p.velocity",
            "Both circles leave with the velocity of circle 2");
     answer("stop", "p.velocity, q.velocity = vec(0, 0), vec(0, 0)", "A hit stops both circles");
@@ -78,13 +77,12 @@ void TestResponseLaw::faultIsNamed_data()
            "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n",
            "A hit leaves circle 2 as it was");
     // With e = 1 circle 1 keeps its velocity, and with no other e.
-    answer(
-        "e of circle 1 with the wrong sign",
-        "local u = (m1 * p.velocity + m2 * q.velocity):dot(n) / (m1 + m2) "
-        "local a, b = p.velocity:dot(n), q.velocity:dot(n) "
-        "p.velocity = p.velocity + (u + e * (a - u) - a) * n "
-        "q.velocity = q.velocity + (u + e * (u - b) - b) * n",
-        "The sign of e is wrong in the hit of two circles, in the new velocity of circle 1 alone");
+    answer("e of circle 1 with the wrong sign",
+           "local u = (m1 * p.velocity + m2 * q.velocity):dot(n) / (m1 + m2) "
+           "local a, b = p.velocity:dot(n), q.velocity:dot(n) "
+           "p.velocity = p.velocity + (u + e * (a - u) - a) * n "
+           "q.velocity = q.velocity + (u + e * (u - b) - b) * n",
+           "The sign of e is wrong in the hit of two circles, for circle 1 alone");
     answer("e across, circle 1",
            "local j = (1 + e) * closing / (1 / m1 + 1 / m2) local t = vec(-n.y, n.x) "
            "p.velocity = p.velocity - j / m1 * n - (1 - e) * p.velocity:dot(t) * t "

@@ -256,7 +256,7 @@ void TestToldMotion::forceByVelocityOrPlaceIsTold_data()
         "depends "
         "on Δt.");
     row("-vec(2 * c.velocity.x / h, 0)",
-        "Far from everything the velocity of both circles turns round in every step (only in x)",
+        "Far from everything the velocity of both circles turns round (only in x)",
         "It had (-1.13, 0.547) m/s, and (1.13, 0.383) m/s one step of 1/60 s later, with nothing "
         "near that it could hit. Look at the lines that turn it, and at what is asked before them: "
         "is it true although nothing touches?");
@@ -325,7 +325,7 @@ void TestToldMotion::methodIsTold()
     QFETCH(double, share);
     const auto n = numbersIn(
         body("L42T4", QStringLiteral("c.velocity * h + %1 * gravity * h * h").arg(share), fall),
-        "Under gravity (#, #) m/s² it goes on by # g Δt² in a step besides v Δt.");
+        "Under gravity (#, #) m/s² it goes v Δt + # g Δt² in a step, with v from before it.");
     QCOMPARE(n.size(), std::size_t{3});
     QVERIFY(n[0] == 0.0 && n[1] == -9.81);
     QVERIFY(isNear(n[2], share));
@@ -350,8 +350,8 @@ void TestToldMotion::methodsOfTwoAreTold()
         const QString said =
             bodyOf(flightDeviations(own.flight(), bench.right.flight(), bench.ground),
                    QStringLiteral("The circles move by different methods"));
-        QVERIFY2(said.contains(QString::fromUtf8("circle 1 goes on by 0 a Δt² in a step besides "
-                                                 "v Δt, and circle 2 by 1 a Δt²")),
+        QVERIFY2(said.contains(QString::fromUtf8("circle 1 goes on by 0 g Δt² in a step besides "
+                                                 "v Δt, and circle 2 by 1 g Δt²")),
                  qPrintable(each.id + said));
         ++told;
     }

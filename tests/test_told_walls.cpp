@@ -126,11 +126,11 @@ void TestToldWalls::shareOfAWallIsTold()
                   "Hits at the walls give both circles 0.9 e of the speed back, not e")
                  .isEmpty());
     n = numbersIn(body("0.75", "At the walls a number stands for e, for both circles"),
-                  "Whatever e is, # of the speed comes back.");
+                  "With every e tried # of the speed comes back.");
     QCOMPARE(n, std::vector<double>{0.75});
     n = numbersIn(
         body("1.7 / math.abs(v)", "Hits at the walls give both circles a speed of their own"),
-        "However fast it comes, it leaves with # m/s");
+        "From every speed tried it leaves with # m/s");
     QCOMPARE(n, std::vector<double>{1.7});
 }
 
@@ -178,15 +178,14 @@ void TestToldWalls::lengthForTheRadiusIsTold()
 void TestToldWalls::openWallsAreTold()
 {
     const auto n =
-        numbersIn(bodyOfWalls({}, text("No wall turns both circles round")),
+        numbersIn(bodyOfWalls({}, text("At every wall both circles went out")),
                   "Thrown at each of them, both circles went on through it; at the * with (#, #) "
                   "m/s.");
     QCOMPARE(n.size(), std::size_t{2});
     QVERIFY(isNear(std::hypot(n[0], n[1]), 2.9 * std::hypot(1.0, 0.37))); // beside the wall, too
     const QString left = QStringLiteral("if c.position.x > -3 then ") + wallsOf(wallWays[1])
                          + QStringLiteral(" end");
-    QVERIFY(
-        !bodyOfWalls(left, text("Nothing turns both circles round at the left wall")).isEmpty());
+    QVERIFY(!bodyOfWalls(left, text("At the left wall both circles went out")).isEmpty());
 }
 
 /// Whoever comes fast is slowed down, and all that come fast come equally fast.
@@ -208,7 +207,7 @@ void TestToldWalls::slowHitsAreTold()
     QString walls = wallsOf(wallWays[1], "c.radius", "restitution");
     walls.replace(QLatin1String("s * v > 0"), QLatin1String("s * v > 0 and math.abs(v) > 0.7"));
     const QString body =
-        bodyOfWalls(walls, text("Slow hits at the right wall do not turn both circles round"));
+        bodyOfWalls(walls, text("Slow hits at the right wall leave both circles moving outward"));
     const auto n = numbersIn(body, "Circle # came to the * with # m/s and went on past it; with # "
                                    "m/s it is turned round.");
     QVERIFY2(n.size() == 3, qPrintable(body));

@@ -80,7 +80,7 @@ void TestWallCorners::finding_data()
                                   "if p.y - r < square.bottom and v.y < 0 then "
                                   "turned = vec(turned.x, -turned.y) end "
                                   "if turned ~= v then c.position, c.velocity = old, turned end")
-        << "Nothing turns circle 1 round at the ceiling";
+        << "At the ceiling circle 1 went out";
 }
 
 void TestWallCorners::finding()

@@ -2035,10 +2035,6 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>يقوم عدد مقام ⁦r₁&#xa0;+&#xa0;r₂⁩ في اختبار التلامس</translation>
     </message>
     <message>
-        <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
-        <translation>مهما كان نصفا القطرين تستجيبان عند المسافة نفسها، بين ⁨%1⁩ و⁦%2 m⁩.</translation>
-    </message>
-    <message>
         <source>The circles answer before they touch</source>
         <translation>تستجيب الدائرتان قبل أن تتلامسا</translation>
     </message>
@@ -2057,10 +2053,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>Nothing happens when it is circle 2 that comes nearer</source>
         <translation>لا يحدث شيء حين تكون الدائرة 2 هي التي تقترب</translation>
-    </message>
-    <message>
-        <source>Not every meeting is answered</source>
-        <translation>لا يُستجاب لكل لقاء</translation>
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
@@ -2139,14 +2131,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>يقوم عدد ثابت مقام الخطوة الزمنية في سقوط %who</translation>
     </message>
     <message>
-        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
-        <translation>مهما كانت Δt تؤثر الجاذبية مدة ⁦%1 s⁩. خذ معامل الدالة ⁦`on_update`⁩.</translation>
-    </message>
-    <message>
-        <source>Gravity does not act on %who</source>
-        <translation>لا تؤثر الجاذبية في %who</translation>
-    </message>
-    <message>
         <source>Look at the signs.</source>
         <translation>انظر إلى الإشارات.</translation>
     </message>
@@ -2183,10 +2167,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>في مشهدك تغيّر الخطوة الأولى سرعة %who</translation>
     </message>
     <message>
-        <source>%1 g Δt² is asked for.</source>
-        <translation>المطلوب ⁦%1 g Δt²⁩.</translation>
-    </message>
-    <message>
         <source>One of these is asked for.</source>
         <translation>المطلوب واحدة من هذه.</translation>
     </message>
@@ -2203,40 +2183,12 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تتحرك %who بطريقة معروفة؛ المطلوب ⁨%1⁩</translation>
     </message>
     <message>
-        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
-        <translation>القطع المكافئ الدقيق (فيرليه، رونغه-كوتا 4)</translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation>كلٌّ من الدائرتين لها طريقة الأخرى
-
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v&#xa0;Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation>تتحرك الدائرتان بطريقتين مختلفتين
-
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 a Δt²⁩ زيادة على ⁦v&#xa0;Δt⁩، والدائرة 2 بمقدار ⁦%2 a Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
-    </message>
-    <message>
         <source>Every step puts %who where circle %1 is</source>
         <translation>تضع كل خطوة %who حيث الدائرة ⁨%1⁩</translation>
     </message>
     <message>
-        <source>Wherever the two start, one step later they are at the same place. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
-        <translation>أينما بدأت الاثنتان، فبعد خطوة واحدة هما في الموضع نفسه. لكل دائرة موضع وسرعة خاصان بها وتمضي منهما: انظر ماذا تأخذ أسطر الأولى من الأخرى.</translation>
-    </message>
-    <message>
         <source>The velocity of %who is set anew in every step</source>
         <translation>تُضبط سرعة %who من جديد في كل خطوة</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
-        <translation>من بداية بسرعة ⁦%1 m/s⁩ تكون السرعة بعد خطوة واحدة ⁦%2 m/s⁩، وهكذا من كل بداية أخرى. الخطوة تحسب السرعة الجديدة من سرعة الدائرة التي ربما غيّرها تصادم؛ أما البداية فتُضبط مرة واحدة، في ⁦`on_load`⁩.</translation>
     </message>
     <message>
         <source>The x of the velocity of %who is set anew in every step</source>
@@ -2247,20 +2199,12 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>تُضبط المركّبة y لسرعة %who من جديد في كل خطوة</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
-        <translation>من بداية بسرعة ⁦%1 m/s⁩ تكون السرعة بعد خطوة واحدة ⁦%2 m/s⁩، وتلك المركّبة هي نفسها من كل بداية أخرى. الخطوة تحسب كل مركّبة من التي للدائرة، وتحتفظ بها للخطوة التالية.</translation>
-    </message>
-    <message>
         <source>The velocity of circle %1 moves %who</source>
         <translation>سرعة الدائرة ⁨%1⁩ هي التي تحرّك %who</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>موضع %who الجديد لا يتوقف على القديم</translation>
-    </message>
-    <message>
-        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
-        <translation>أينما كانت البداية، فبعد الخطوتين نفسيهما يكون الموضع نفسه. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
     </message>
     <message>
         <source>The old place of %who is multiplied, too</source>
@@ -2273,14 +2217,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
         <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁦%4 m⁩.</translation>
-    </message>
-    <message>
-        <source>The x of %who never changes</source>
-        <translation>المركّبة x لموضع %who لا تتغير أبدًا</translation>
-    </message>
-    <message>
-        <source>The y of %who never changes</source>
-        <translation>المركّبة y لموضع %who لا تتغير أبدًا</translation>
     </message>
     <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
@@ -2331,16 +2267,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>يقوم عدد ثابت مقام الخطوة الزمنية في مسافة %who</translation>
     </message>
     <message>
-        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
-        <translation>مهما كانت Δt فالمسافة هي التي تُقطع في ⁦%1 s⁩. خذ معامل الدالة ⁦`on_update`⁩.</translation>
-    </message>
-    <message>
         <source>Look at the line that changes the position.</source>
         <translation>انظر إلى السطر الذي يغيّر الموضع.</translation>
-    </message>
-    <message>
-        <source>Nothing moves %who</source>
-        <translation>لا شيء يحرّك %who</translation>
     </message>
     <message>
         <source>In every step its position gets v Δt added.</source>
@@ -2575,16 +2503,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>يقوم عدد مقام e في تصادم الدائرتين</translation>
     </message>
     <message>
-        <source>Whatever e is, the rebound is that of e = %1.</source>
-        <translation>مهما كان e فالارتداد كما عند ⁦e = %1⁩.</translation>
-    </message>
-    <message>
         <source>Numbers stand for e in the hit of two circles</source>
         <translation>تقوم أعداد مقام e في تصادم الدائرتين</translation>
-    </message>
-    <message>
-        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
-        <translation>مهما كان e تستجيب الدائرة 1 كما مع ⁦e = %1⁩ والدائرة 2 كما مع ⁦e = %2⁩.</translation>
     </message>
     <message>
         <source>A hit acts on both circles.</source>
@@ -2657,10 +2577,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
         <translation>السرعتان الجديدتان كلتاهما تأتيان من السرعتين *قبل* التصادم: انظر أيّ الأسطر يقرأ سرعة قد كُتبت.</translation>
-    </message>
-    <message>
-        <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
-        <translation>بين دائرتين متساويتين تُتبادل السرعتان كاملتين، لا المركّبتان على الناظم فقط</translation>
     </message>
     <message>
         <source>The parts across change hands, and those along the normal stay</source>
@@ -2768,7 +2684,7 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     </message>
     <message>
         <source>The perpendicular of the line of centres is taken for the normal</source>
-        <translation>أُخذ العمودي على خط المركزين ناظمًا</translation>
+        <translation>أُخذ الناظم على خط المركزين ناظمًا</translation>
     </message>
     <message>
         <source>The parts x and y of the normal are exchanged</source>
@@ -2875,14 +2791,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩، و⁦e = %5⁩: </translation>
     </message>
     <message>
-        <source>%1 along, %2 across</source>
-        <translation>⁨%1⁩ على الخط، ⁨%2⁩ معامدة</translation>
-    </message>
-    <message>
-        <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
-        <translation>السرعات بوحدة ⁦m/s⁩ على خط المركزين (من 1 إلى 2) ومعامدة له: جاءت الدائرة 1 بـ ⁨%1⁩، والدائرة 2 بـ ⁨%2⁩؛ وغادرتا بـ ⁨%3⁩ و⁨%4⁩؛ الصواب ⁨%5⁩ و⁨%6⁩.</translation>
-    </message>
-    <message>
         <source>e = %1 is not the value that is asked for</source>
         <translation>القيمة ⁦e = %1⁩ ليست المطلوبة</translation>
     </message>
@@ -2893,10 +2801,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
         <translation>ناظم الجدارين الجانبيين على امتداد x، وناظم الأرضية والسقف على امتداد y.</translation>
-    </message>
-    <message>
-        <source>Whatever e is, %1 of the speed comes back.</source>
-        <translation>مهما كان e تعود السرعة مضروبةً في ⁨%1⁩.</translation>
     </message>
     <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
@@ -2955,20 +2859,12 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>بعد التصادم تفترق الدائرتان أسرع مما التقتا</translation>
     </message>
     <message>
-        <source>After an elastic hit both circles have the same velocity along the normal</source>
-        <translation>بعد تصادم مرن تكون للدائرتين السرعة نفسها على الناظم</translation>
-    </message>
-    <message>
         <source>Something away from every wall changes the velocity of %who</source>
         <translation>شيء ما بعيدًا عن كل جدار يغيّر سرعة %who</translation>
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
         <translation>تؤخذ سرعة %who من الدائرة ⁨%1⁩</translation>
-    </message>
-    <message>
-        <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>أيًّا كانت سرعتها هي، تصير بعد خطوة واحدة سرعةَ الدائرة ⁨%1⁩ وما تضيفه الجاذبية: من ⁦%2 m/s⁩ في البداية إلى ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
     </message>
     <message>
         <source>Away from every wall a low speed of %who is taken away</source>
@@ -3021,10 +2917,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>مدة الخطوة هي معامل ⁦`on_update`⁩؛ أما ⁦`time`⁩ فالزمن منذ البداية، و⁦`step`⁩ يعدّ الخطوات.</translation>
-    </message>
-    <message>
-        <source>The velocity does not move %who</source>
-        <translation>السرعة لا تحرّك %who</translation>
     </message>
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
@@ -3171,82 +3063,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدت حين كانت حافتها على بعد بين ⁨%4⁩ و⁦%5 m⁩ منه؛ وبسرعة ⁦%6 m/s⁩ بين ⁨%7⁩ و⁦%8 m⁩. هذه مسافة ثانية كاملة: الخطوة تنقلها ⁦v&#xa0;Δt⁩ لا v.</translation>
     </message>
     <message>
-        <source>Gravity acts on %who as it should only %1</source>
-        <translation>لا تؤثر الجاذبية في %who كما ينبغي إلا %1</translation>
-    </message>
-    <message>
-        <source>The velocity of %who changes as it should only %1</source>
-        <translation>لا تتغير سرعة %who كما ينبغي إلا %1</translation>
-    </message>
-    <message>
-        <source>the first time</source>
-        <translation>في المرة الأولى</translation>
-    </message>
-    <message>
-        <source>from the second time on</source>
-        <translation>ابتداءً من المرة الثانية</translation>
-    </message>
-    <message>
-        <source>the first time, the third, and so on</source>
-        <translation>في المرة الأولى والثالثة وهكذا</translation>
-    </message>
-    <message>
-        <source>every second time</source>
-        <translation>مرة كل مرتين</translation>
-    </message>
-    <message>
-        <source>when the last one is long past</source>
-        <translation>حين يكون ما قبله قد مضى عليه وقت طويل</translation>
-    </message>
-    <message>
-        <source>until the circles have hit each other</source>
-        <translation>إلى أن تتصادم الدائرتان</translation>
-    </message>
-    <message>
-        <source>up to a time between %1 and %2 s</source>
-        <translation>حتى وقت بين ⁨%1⁩ و⁦%2 s⁩</translation>
-    </message>
-    <message>
-        <source>from a time between %1 and %2 s on</source>
-        <translation>ابتداءً من وقت بين ⁨%1⁩ و⁦%2 s⁩</translation>
-    </message>
-    <message>
-        <source>above a height between y = %1 and %2 m</source>
-        <translation>فوق ارتفاع بين ⁦y = %1⁩ و⁦%2 m⁩</translation>
-    </message>
-    <message>
-        <source>below a height between y = %1 and %2 m</source>
-        <translation>تحت ارتفاع بين ⁦y = %1⁩ و⁦%2 m⁩</translation>
-    </message>
-    <message>
-        <source>to the left of a place between x = %1 and %2 m</source>
-        <translation>إلى يسار موضع بين ⁦x = %1⁩ و⁦%2 m⁩</translation>
-    </message>
-    <message>
-        <source>to the right of a place between x = %1 and %2 m</source>
-        <translation>إلى يمين موضع بين ⁦x = %1⁩ و⁦%2 m⁩</translation>
-    </message>
-    <message>
-        <source>up to a speed between %1 and %2 m/s</source>
-        <translation>حتى سرعة بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
-    </message>
-    <message>
-        <source>from a speed between %1 and %2 m/s on</source>
-        <translation>ابتداءً من سرعة بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
-    </message>
-    <message>
-        <source>at times</source>
-        <translation>أحيانًا</translation>
-    </message>
-    <message>
-        <source>Hits of the two circles are answered only %1</source>
-        <translation>لا يُستجاب لتصادم الدائرتين إلا %1</translation>
-    </message>
-    <message>
-        <source>Hits of the two circles come out right only %1</source>
-        <translation>لا يأتي تصادم الدائرتين صحيحًا إلا %1</translation>
-    </message>
-    <message>
         <source>Beside a wall the velocity of both circles changes at once</source>
         <translation>بجانب جدار تتغير سرعتا الدائرتين معًا</translation>
     </message>
@@ -3291,18 +3107,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>وهي بعيدة بعضها عن بعض. انظر ماذا تأخذ الأسطر التي تحرّك دائرة من دائرة أخرى، وما الذي يُسأل قبلها.</translation>
     </message>
     <message>
-        <source>Of %1 arrivals at walls, here and there, early and late, %2 came out right.</source>
-        <translation>من ⁨%1⁩ من الوصول إلى الجدران، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
-    </message>
-    <message>
-        <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
-        <translation>من ⁨%1⁩ من تصادمات الدائرتين، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
-    </message>
-    <message>
-        <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
-        <translation>انظر ما الذي يُسأل قبل الأسطر التي تفعل ذلك، وإلى ما يحتفظ به برنامجك من خطوة إلى أخرى.</translation>
-    </message>
-    <message>
         <source>What gravity adds to the way of %who goes with Δt, not with Δt²</source>
         <translation>ما تضيفه الجاذبية إلى مسافة %who يتناسب مع ⁦Δt⁩ لا مع ⁦Δt²⁩</translation>
     </message>
@@ -3315,16 +3119,8 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>كل خطوة تحرّك %who مسافة ثابتة زيادة على ⁦v Δt⁩</translation>
     </message>
     <message>
-        <source>Whatever Δt, gravity and its velocity are, it goes on by %1 m besides. Look at what is added to the position.</source>
-        <translation>أيًّا كانت ⁦Δt⁩ والجاذبية والسرعة يُضاف إليها ⁦%1 m⁩. انظر ماذا يُجمع إلى الموضع.</translation>
-    </message>
-    <message>
         <source>Something besides its own velocity moves %who</source>
         <translation>شيء غير السرعة الذاتية يحرّك %who</translation>
-    </message>
-    <message>
-        <source>Whatever gravity and its velocity are, it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
-        <translation>أيًّا كانت الجاذبية والسرعة يُضاف ⁦%1 m/s⁩ مضروبًا في ⁦Δt⁩. انظر ماذا يُجمع إلى الموضع.</translation>
     </message>
     <message>
         <source>What a step adds to the way of %who besides v Δt is no method&apos;s</source>
@@ -3367,14 +3163,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
         <translation>يجب أن تغيّر الجاذبية السرعة في كل خطوة: ابحث عن السطر الذي يفعل ذلك، وعمّا يُسأل قبله.</translation>
     </message>
     <message>
-        <source>The way of %who in a step is v Δt only %1</source>
-        <translation>لا تكون مسافة %who في الخطوة ⁦v Δt⁩ إلا %1</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
-        <translation>تحت الجاذبية ⁦%1 m/s²⁩ تتقدم في الخطوة بمقدار ⁦%2 g Δt²⁩ زيادة على ⁦v Δt⁩. أويلر تحرّكها بالسرعة القديمة، بمقدار ⁦0 g Δt²⁩؛ وأويلر التماثلية بالجديدة، بمقدار ⁦1 g Δt²⁩؛ والطرائق الدقيقة بمقدار ⁦½ g Δt²⁩.</translation>
-    </message>
-    <message>
         <source>The velocity of %who changes although it touches nothing</source>
         <translation>تتغير سرعة %who مع أنها لا تلمس شيئًا</translation>
     </message>
@@ -3389,10 +3177,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>A faster one goes on as it should.</source>
         <translation>والأسرع تمضي كما يجب.</translation>
-    </message>
-    <message>
-        <source>How the velocity of %who changes depends on the velocity otherwise than asked</source>
-        <translation>تغيّر سرعة %who يتوقف على السرعة نفسها على غير المطلوب</translation>
     </message>
     <message>
         <source>Look at what the lines that change the velocity take, and at what is asked before them.</source>
@@ -3413,10 +3197,6 @@ Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle
     <message>
         <source>The velocity of %who changes by itself otherwise than asked</source>
         <translation>سرعة %who تؤثر في نفسها على غير المطلوب</translation>
-    </message>
-    <message>
-        <source>Far from everything the velocity of %who turns round in every step</source>
-        <translation>بعيدًا عن كل شيء تنعكس سرعة %who في كل خطوة</translation>
     </message>
     <message>
         <source>It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near that it could hit. Look at the lines that turn it, and at what is asked before them: is it true although nothing touches?</source>
@@ -3491,28 +3271,12 @@ So it is when the run begins.</source>
         <translation>كل خطوة تحرّك %who من حيث توجد الدائرة ⁨%1⁩</translation>
     </message>
     <message>
-        <source>Wherever the two start, one step later they are near each other. Each circle goes on from its own place: look at the names in the line that moves it.</source>
-        <translation>أينما بدأت الدائرتان تصبحان متقاربتين بعد خطوة واحدة. كل دائرة تمضي من موضعها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, its velocity changes by %2 m/s in the second step of %3 s; with every other circle at rest and elsewhere by %4 m/s.</source>
         <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ تغيّرت سرعتها ⁦%2 m/s⁩ في الخطوة الثانية ومدتها ⁦%3 s⁩؛ وإذا كانت كل دائرة أخرى ساكنة في مكان آخر تغيّرت ⁦%4 m/s⁩.</translation>
     </message>
     <message>
         <source>The acceleration of %who is opposite to gravity</source>
         <translation>تسارع %who معاكس للجاذبية</translation>
-    </message>
-    <message>
-        <source>The motion of %who is %1 only %2</source>
-        <translation>حركة %who هي %1 %2 فقط</translation>
-    </message>
-    <message>
-        <source>until it has hit a wall</source>
-        <translation>حتى تصدم جدارًا</translation>
-    </message>
-    <message>
-        <source>after it has hit a wall</source>
-        <translation>بعد أن تصدم جدارًا</translation>
     </message>
     <message>
         <source>Nothing changes the velocity of circle %1
@@ -3535,56 +3299,8 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>زيادة على ⁦v Δt⁩ تتقدم ⁦%1 g Δt²⁩ حيث سرعتها ⁦%2 m/s⁩، و⁦%3 g Δt²⁩ حيث سرعتها ⁦%4 m/s⁩. أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة ⁦½ g Δt²⁩. انظر ما الذي يُسأل قبل الأسطر التي تحرّكها.</translation>
     </message>
     <message>
-        <source>Of %1 steps of free flight, here and there, early and late, %2 came out right.</source>
-        <translation>من ⁨%1⁩ من خطوات الطيران الحر، هنا وهناك، مبكرًا ومتأخرًا، جاء ⁨%2⁩ صحيحًا.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
-        <translation>عند ⁦%1 s⁩ من تشغيلها غيّرت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، سرعتها بمقدار ⁦%4 m/s⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m/s⁩.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
-        <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m⁩.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
-        <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ بعيدةً عن كل ما عداها، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ وبتلك الطريقة تكون ⁦%6 m⁩.</translation>
-    </message>
-    <message>
-        <source>with a velocity that points right</source>
-        <translation>بسرعة متجهة إلى اليمين</translation>
-    </message>
-    <message>
-        <source>with a velocity that points left</source>
-        <translation>بسرعة متجهة إلى اليسار</translation>
-    </message>
-    <message>
-        <source>with a velocity that points up</source>
-        <translation>بسرعة متجهة إلى أعلى</translation>
-    </message>
-    <message>
-        <source>with a velocity that points down</source>
-        <translation>بسرعة متجهة إلى أسفل</translation>
-    </message>
-    <message>
-        <source>up to a speed into the wall between %1 and %2 m/s</source>
-        <translation>حتى سرعة نحو الجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
-    </message>
-    <message>
-        <source>from a speed into the wall between %1 and %2 m/s on</source>
-        <translation>ابتداءً من سرعة نحو الجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
-    </message>
-    <message>
-        <source>up to a speed along the wall between %1 and %2 m/s</source>
-        <translation>حتى سرعة موازية للجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
-    </message>
-    <message>
-        <source>from a speed along the wall between %1 and %2 m/s on</source>
-        <translation>ابتداءً من سرعة موازية للجدار بين ⁨%1⁩ و⁦%2 m/s⁩</translation>
-    </message>
-    <message>
         <source>Where nothing rubs, a push points along the normal only.</source>
-        <translation>حيث لا احتكاك لا تؤثر الدفعة إلا على امتداد العمودي.</translation>
+        <translation>حيث لا احتكاك لا تؤثر الدفعة إلا على امتداد الناظم.</translation>
     </message>
     <message>
         <source>Hits at the %walls hold %who and turn no velocity round</source>
@@ -3647,14 +3363,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>التصادمات عند %walls تعطي %who سرعة من عندها</translation>
     </message>
     <message>
-        <source>However fast it comes, it leaves with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>مهما كانت سرعتها عند الوصول فإنها تغادر بسرعة ⁦%1 m/s⁩: احسب السرعة الجديدة من القديمة.</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls do not turn %who round</source>
-        <translation>التصادمات عند %walls لا تردّ %who</translation>
-    </message>
-    <message>
         <source>Hits at the %walls do not give %who e times the speed back</source>
         <translation>التصادمات عند %walls لا تعيد إلى %who السرعة مضروبةً في e</translation>
     </message>
@@ -3681,10 +3389,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>Hits at the %walls give %who all of the speed back</source>
         <translation>التصادمات عند %walls تعيد إلى %who كل السرعة</translation>
-    </message>
-    <message>
-        <source>Whatever e is, nothing of it is lost.</source>
-        <translation>مهما كان e لا يضيع منها شيء.</translation>
     </message>
     <message>
         <source>At the %walls e acts on %who twice</source>
@@ -3726,32 +3430,12 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>%1 و%2</translation>
     </message>
     <message>
-        <source>Hits at the %walls turn %who round only %1</source>
-        <translation>التصادمات عند %walls لا تردّ %who إلا %1</translation>
-    </message>
-    <message>
-        <source>Hits of %who at the %walls come out right only %1</source>
-        <translation>لا يأتي تصادم %who عند %walls صحيحًا إلا %1</translation>
-    </message>
-    <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it at first.</source>
         <translation>عند ⁦%1 s⁩ من تشغيلها جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ عند ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩ ومضت أولًا إلى ما بعده.</translation>
     </message>
     <message>
-        <source>That at %1 s of circle %2 came out right: at the %3 at %4 m with %5 m/s.</source>
-        <translation>وجاء صحيحًا تصادم الدائرة ⁨%2⁩ عند ⁦%1 s⁩: عند ⁨%3⁩ في ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩.</translation>
-    </message>
-    <message>
-        <source>No wall turns %who round</source>
-        <translation>لا يردّ أيُّ جدار %who</translation>
-    </message>
-    <message>
         <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
         <translation>قُذفت نحو كل جدار فنفذت منه %who؛ عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩. انظر ما الذي يُسأل بعد الحركة وهل يكون الجواب نعم أبدًا.</translation>
-    </message>
-    <message>
-        <source>Nothing turns %who round at the %walls</source>
-        <translation>لا شيء يردّ %who عند %walls</translation>
     </message>
     <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
@@ -3812,10 +3496,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>Hits at the %walls turn %who round at the wrong place</source>
         <translation>التصادمات عند %walls تردّ %who في الموضع الخاطئ</translation>
-    </message>
-    <message>
-        <source>Slow hits at the %walls do not turn %who round</source>
-        <translation>التصادمات البطيئة عند %walls لا تردّ %who</translation>
     </message>
     <message>
         <source>Slow hits at the %walls give %who another share of the speed back</source>
@@ -3890,52 +3570,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
     </message>
     <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, and along the line of centres, those and no others.</source>
-        <translation>من ⁨%1⁩ لقاء من كل الأنواع لقي ⁨%2⁩ استجابة حين تلامست الحافتان وعلى طول خط المركزين، هذه دون سواها.</translation>
-    </message>
-    <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, those and no others.</source>
-        <translation>من ⁨%1⁩ لقاء من كل الأنواع لقي ⁨%2⁩ استجابة حين تلامست الحافتان، هذه دون سواها.</translation>
-    </message>
-    <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met.</source>
-        <translation>من ⁨%1⁩ لقاء من كل الأنواع لقي ⁨%2⁩ استجابة حين تلامست الحافتان.</translation>
-    </message>
-    <message>
-        <source>One that was not: %1.</source>
-        <translation>واحد لم يلقها: %1.</translation>
-    </message>
-    <message>
-        <source>One that was: %1.</source>
-        <translation>وواحد لقيها: %1.</translation>
-    </message>
-    <message>
-        <source>Look at what changes from one side to the other, such as the sign of a difference of two positions, and an angle that is worked out from it.</source>
-        <translation>انظر إلى ما يتغير من جانب إلى آخر، كإشارة الفرق بين موضعين وزاوية تُحسب منه.</translation>
-    </message>
-    <message>
-        <source>What counts is whether they overlap, and whether the velocity of one relative to the other closes the gap along the line of centres.</source>
-        <translation>المهم هو هل تتداخلان، وهل تقرّب سرعة إحداهما بالنسبة إلى الأخرى بينهما على طول خط المركزين.</translation>
-    </message>
-    <message>
-        <source>Hits come out right only %1</source>
-        <translation>لا تصحّ نتيجة التصادم إلا %1</translation>
-    </message>
-    <message>
-        <source>Hits are answered in time only %1</source>
-        <translation>لا يُستجاب للتصادم في وقته إلا %1</translation>
-    </message>
-    <message>
-        <source>Hits are answered only %1</source>
-        <translation>لا يُستجاب للتصادم إلا %1</translation>
-    </message>
-    <message>
         <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
         <translation>جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ والدائرة 2 بسرعة ⁦%2 m/s⁩</translation>
-    </message>
-    <message>
-        <source>their line of centres, from 1 to 2, at %1°</source>
-        <translation>وخط مركزيهما من 1 إلى 2 عند ⁦%1°⁩</translation>
     </message>
     <message>
         <source>near %1 m</source>
@@ -4078,10 +3714,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تتساوى كثافتاهما</translation>
     </message>
     <message>
-        <source>where %1</source>
-        <translation>حيث %1</translation>
-    </message>
-    <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. What counts is whether they overlap and come nearer, not when the last hit was, nor whether a wall is near.</source>
         <translation>صُدمت الدائرة 2 وعادت من الجدار القريب خلفها في بضع خطوات ودخلت في الدائرة 1 بلا استجابة؛ ومن جدار أبعد تلقى استجابة. المهم هو هل تتداخلان وتقتربان، لا متى كان آخر تصادم ولا هل الجدار قريب.</translation>
     </message>
@@ -4091,7 +3723,7 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     </message>
     <message>
         <source>In all these hits the new part of circle %1 along that line was %2 times that of circle 1 before the hit and %3 times that of circle 2; right is %4 and %5 times.</source>
-        <translation>في كل هذه التصادمات كان الجزء الجديد للدائرة ⁨%1⁩ على ذلك الخط يساوي جزء الدائرة 1 قبل التصادم مضروبًا في ⁨%2⁩ وجزء الدائرة 2 مضروبًا في ⁨%3⁩؛ الصواب ⁨%4⁩ و⁨%5⁩.</translation>
+        <translation>في كل هذه التصادمات كانت المركّبة الجديدة للدائرة ⁨%1⁩ على ذلك الخط تساوي مركّبة الدائرة 1 قبل التصادم مضروبةً في ⁨%2⁩ ومركّبة الدائرة 2 مضروبةً في ⁨%3⁩؛ الصواب ⁨%4⁩ و⁨%5⁩.</translation>
     </message>
     <message>
         <source>The push has a wrong size that depends on the radius</source>
@@ -4118,16 +3750,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>بخطوة زمنية ⁦%1 s⁩ الدفع يساوي ما يجب مضروبًا في ⁨%2⁩، وبخطوة ⁦%3 s⁩ مضروبًا في نحو ⁨%4⁩.</translation>
     </message>
     <message>
-        <source>%1, in the new velocity of circle %2 alone</source>
-        <translation>%1، في السرعة الجديدة للدائرة ⁨%2⁩ وحدها</translation>
-    </message>
-    <message>
         <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
         <translation>تغادر الدائرة ⁨%1⁩ التصادم كما يجب ولا تغادره الدائرة ⁨%2⁩ كذلك</translation>
     </message>
     <message>
         <source>Hits at the %walls take the part of %who along the normal away</source>
-        <translation>التصادمات عند %walls تأخذ مركّبة %who على امتداد العمودي</translation>
+        <translation>التصادمات عند %walls تأخذ مركّبة %who على امتداد الناظم</translation>
     </message>
     <message>
         <source>Some meetings are answered before they touch</source>
@@ -4142,8 +3770,427 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>يغيّر التصادم مركّبة الدائرة ⁨%1⁩ المعامدة لخط المركزين</translation>
     </message>
     <message>
-        <source>Of the %1 meetings that were tried %2 were answered in time.</source>
-        <translation>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في ⁨%2⁩.</translation>
+        <source>From every start tried the two are at the same place one step later. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
+        <translation>من كل بداية جُرّبت تكون الاثنتان في الموضع نفسه بعد خطوة واحدة. لكل دائرة موضع وسرعة خاصان بها وتمضي منهما: انظر ماذا تأخذ أسطر الأولى من الأخرى.</translation>
+    </message>
+    <message>
+        <source>With every velocity tried it has one step later what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>مع كل سرعة جُرّبت تصير بعد خطوة واحدة سرعةَ الدائرة ⁨%1⁩ وما تضيفه الجاذبية: من ⁦%2 m/s⁩ في البداية إلى ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
+        <translation>من بداية بسرعة ⁦%1 m/s⁩ تكون السرعة بعد خطوة واحدة ⁦%2 m/s⁩، وهكذا من كل بداية أخرى جُرّبت. الخطوة تحسب السرعة الجديدة من سرعة الدائرة التي ربما غيّرها تصادم؛ أما البداية فتُضبط مرة واحدة، في ⁦`on_load`⁩.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start tried. A step works each part out from the one that the circle has, and keeps it for the next.</source>
+        <translation>من بداية بسرعة ⁦%1 m/s⁩ تكون السرعة بعد خطوة واحدة ⁦%2 m/s⁩، وتلك المركّبة هي نفسها من كل بداية أخرى جُرّبت. الخطوة تحسب كل مركّبة من التي للدائرة، وتحتفظ بها للخطوة التالية.</translation>
+    </message>
+    <message>
+        <source>From every start tried the two are near each other one step later. Each circle goes on from its own place: look at the names in the line that moves it.</source>
+        <translation>من كل بداية جُرّبت تصبح الدائرتان متقاربتين بعد خطوة واحدة. كل دائرة تمضي من موضعها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
+    </message>
+    <message>
+        <source>From every start tried it is at the same place after the same two steps. A step *adds* a way to the old position.</source>
+        <translation>من كل بداية جُرّبت يكون الموضع نفسه بعد الخطوتين نفسيهما. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks there, and at what it keeps from one step to the next.</source>
+        <translation>انظر ما الذي يسأل عنه برنامجك هناك، وما الذي يحتفظ به من خطوة إلى أخرى.</translation>
+    </message>
+    <message>
+        <source>With all radii tried they answer at the same distance, between %1 and %2 m.</source>
+        <translation>مع كل أنصاف الأقطار التي جُرّبت تستجيبان عند المسافة نفسها، بين ⁨%1⁩ و⁦%2 m⁩.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time.</source>
+        <translation>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، لم تأتِ الاستجابة في وقتها في أي لقاء.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في لقاء واحد.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في لقاءين.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في %n.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في %n.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This one came out wrong: %1.</source>
+        <translation>جاء هذا اللقاء خطأً: %1.</translation>
+    </message>
+    <message>
+        <source>This one came out right: %1.</source>
+        <translation>جاء هذا اللقاء صحيحًا: %1.</translation>
+    </message>
+    <message>
+        <source>Look at what changes from one side to the other: the sign of a difference, or an angle.</source>
+        <translation>انظر ما الذي يتغير من جهة إلى أخرى: إشارة فرق أو زاوية.</translation>
+    </message>
+    <message>
+        <source>A hit is due where they overlap and come nearer along the line of centres, and nowhere else.</source>
+        <translation>يحين التصادم حيث تتداخلان وتتقاربان على طول خط المركزين، لا في غير ذلك.</translation>
+    </message>
+    <message>
+        <source>Some hits do not act along the line of centres</source>
+        <translation>بعض التصادمات لا تؤثر على طول خط المركزين</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles are answered too late</source>
+        <translation>تُقابَل بعض تصادمات الدائرتين بالاستجابة متأخرة</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles are not answered</source>
+        <translation>بعض تصادمات الدائرتين تبقى بلا استجابة</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time and along the line of centres: %2.</source>
+        <translation>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، لم تأتِ الاستجابة في وقتها وعلى طول خط المركزين في أي لقاء: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها وعلى طول خط المركزين في لقاء واحد: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها وعلى طول خط المركزين في لقاءين: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها وعلى طول خط المركزين في %n: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها وعلى طول خط المركزين في %n: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها وعلى طول خط المركزين في %n: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time: %2.</source>
+        <translation>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، لم تأتِ الاستجابة في وقتها في أي لقاء: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في لقاء واحد: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في لقاءين: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في %n: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في %n: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في %n: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>their line of centres at %1°</source>
+        <translation>وخط مركزيهما عند ⁦%1°⁩</translation>
+    </message>
+    <message>
+        <source>At every timestep, gravity and velocity tried it goes on by %1 m besides. Look at what is added to the position.</source>
+        <translation>مع كل ⁦Δt⁩ وكل جاذبية وكل سرعة جُرّبت يُضاف إليها ⁦%1 m⁩. انظر ماذا يُجمع إلى الموضع.</translation>
+    </message>
+    <message>
+        <source>At every gravity and velocity tried it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
+        <translation>مع كل جاذبية وكل سرعة جُرّبت يُضاف ⁦%1 m/s⁩ مضروبًا في ⁦Δt⁩. انظر ماذا يُجمع إلى الموضع.</translation>
+    </message>
+    <message>
+        <source>At every timestep tried gravity acts for %1 s. Take the parameter of `on_update`.</source>
+        <translation>عند كل خطوة زمنية جُرّبت تؤثر الجاذبية مدة ⁦%1 s⁩. خذ معامل `on_update`.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves %who alone</source>
+        <translation>لا أثر للجاذبية (%who)</translation>
+    </message>
+    <message>
+        <source>At times gravity acts wrongly on %who</source>
+        <translation>أحيانًا تؤثر الجاذبية في %who تأثيرًا خاطئًا</translation>
+    </message>
+    <message>
+        <source>At times the velocity of %who changes wrongly</source>
+        <translation>أحيانًا تتغير سرعة %who تغيّرًا خاطئًا</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها غيّرت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ لا تلمس شيئًا، سرعتها بمقدار ⁦%4 m/s⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>At times the way of %who in a step is not v Δt</source>
+        <translation>أحيانًا لا يكون مسار %who في خطوة v Δt</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ لا تلمس شيئًا، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ الصواب ⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>At times the motion of %who is not %1</source>
+        <translation>أحيانًا لا تكون حركة %who هي %1</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, went %4 m in a step of %5 s; by that method it is %6 m.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ لا تلمس شيئًا، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ وبتلك الطريقة تكون ⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>v Δt + %1 g Δt² is asked for.</source>
+        <translation>المطلوب v Δt + %1 g Δt².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt².</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ تتقدم v Δt + %2 g Δt² في الخطوة، وv هي السرعة قبلها. يضيف أويلر 0 إلى v Δt، وأويلر التماثلية g Δt²، والطرائق الدقيقة (Verlet و Runge-Kutta 4) ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>the exact parabola</source>
+        <translation>القطع المكافئ الدقيق</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>كلٌّ من الدائرتين لها طريقة الأخرى
+
+تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 g Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 g Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both need the same. Look at which lines move which circle.</source>
+        <translation>تتحرك الدائرتان بطريقتين مختلفتين
+
+تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 g Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 g Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who depends wrongly on the velocity</source>
+        <translation>يتوقف تسارع %who على السرعة توقفًا خاطئًا</translation>
+    </message>
+    <message>
+        <source>Far from everything the velocity of %who turns round</source>
+        <translation>بعيدًا عن كل شيء تنعكس سرعة %who</translation>
+    </message>
+    <message>
+        <source>%1, where circle %2 was</source>
+        <translation>%1، حيث كانت الدائرة ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>تلك التي فيها %1، دون غيرها</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles come out wrong</source>
+        <translation>بعض تصادمات الدائرتين تأتي خطأً</translation>
+    </message>
+    <message>
+        <source>%1, for circle %2 alone</source>
+        <translation>%1، للدائرة ⁨%2⁩ وحدها</translation>
+    </message>
+    <message>
+        <source>With every e tried the rebound is that of e = %1.</source>
+        <translation>مع كل e جُرّبت يكون الارتداد ارتداد ⁦e = %1⁩.</translation>
+    </message>
+    <message>
+        <source>With every e tried circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
+        <translation>مع كل e جُرّبت تستجيب الدائرة 1 كما مع ⁦e = %1⁩ والدائرة 2 كما مع ⁦e = %2⁩.</translation>
+    </message>
+    <message>
+        <source>Two equal circles exchange their whole velocities</source>
+        <translation>دائرتان متساويتان تتبادلان سرعتيهما كاملتين</translation>
+    </message>
+    <message>
+        <source>After an elastic hit the circles do not part</source>
+        <translation>بعد تصادم مرن لا تفترق الدائرتان</translation>
+    </message>
+    <message>
+        <source>Along the line of centres, from 1 to 2, circle 1 came with %1 m/s and circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right.</source>
+        <translation>على طول خط المركزين، من 1 إلى 2، جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ والدائرة 2 بسرعة ⁦%2 m/s⁩؛ وغادرتا بسرعتي ⁦%3⁩ و⁦%4⁩؛ الصواب ⁦%5⁩ و⁦%6⁩.</translation>
+    </message>
+    <message>
+        <source>Across the line of centres circle 1 came with %1 m/s and circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right.</source>
+        <translation>معامدًا لخط المركزين جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ والدائرة 2 بسرعة ⁦%2 m/s⁩؛ وغادرتا بسرعتي ⁦%3⁩ و⁦%4⁩؛ الصواب ⁦%5⁩ و⁦%6⁩.</translation>
+    </message>
+    <message>
+        <source>of each circle in a run</source>
+        <translation>لكل دائرة في التشغيل</translation>
+    </message>
+    <message>
+        <source>of each circle at each wall in a run</source>
+        <translation>لكل دائرة عند كل جدار في التشغيل</translation>
+    </message>
+    <message>
+        <source>in a run</source>
+        <translation>في التشغيل</translation>
+    </message>
+    <message>
+        <source>all that came %1 s or more after the one before, none that came within %2 s</source>
+        <translation>كل ما جاء بعد سابقه بـ ⁦%1 s⁩ أو أكثر، ولا شيء مما جاء بعده خلال ⁦%2 s⁩</translation>
+    </message>
+    <message>
+        <source>all up to %1 s of a run, none from %2 s on</source>
+        <translation>كلها حتى ⁦%1 s⁩ من التشغيل، ولا شيء منها ابتداءً من ⁦%2 s⁩</translation>
+    </message>
+    <message>
+        <source>all from %1 s of a run on, none up to %2 s</source>
+        <translation>كلها ابتداءً من ⁦%1 s⁩ من التشغيل، ولا شيء منها حتى ⁦%2 s⁩</translation>
+    </message>
+    <message>
+        <source>all at y = %1 m and above, none at y = %2 m and below</source>
+        <translation>كلها عند ⁦y = %1 m⁩ وفوقها، ولا شيء منها عند ⁦y = %2 m⁩ وتحتها</translation>
+    </message>
+    <message>
+        <source>all at y = %1 m and below, none at y = %2 m and above</source>
+        <translation>كلها عند ⁦y = %1 m⁩ وتحتها، ولا شيء منها عند ⁦y = %2 m⁩ وفوقها</translation>
+    </message>
+    <message>
+        <source>all at x = %1 m and left of it, none at x = %2 m and right of it</source>
+        <translation>كلها عند ⁦x = %1 m⁩ وإلى يسارها، ولا شيء منها عند ⁦x = %2 m⁩ وإلى يمينها</translation>
+    </message>
+    <message>
+        <source>all at x = %1 m and right of it, none at x = %2 m and left of it</source>
+        <translation>كلها عند ⁦x = %1 m⁩ وإلى يمينها، ولا شيء منها عند ⁦x = %2 m⁩ وإلى يسارها</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s, none with %2 m/s or more</source>
+        <translation>كلها بسرعة لا تزيد على ⁦%1 m/s⁩، ولا شيء منها بسرعة ⁦%2 m/s⁩ أو أكثر</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more, none with up to %2 m/s</source>
+        <translation>كلها بسرعة ⁦%1 m/s⁩ أو أكثر، ولا شيء منها بسرعة لا تزيد على ⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s into the wall, none with %2 m/s or more</source>
+        <translation>كلها بسرعة نحو الجدار لا تزيد على ⁦%1 m/s⁩، ولا شيء منها بسرعة ⁦%2 m/s⁩ أو أكثر</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more into the wall, none with up to %2 m/s</source>
+        <translation>كلها بسرعة نحو الجدار ⁦%1 m/s⁩ أو أكثر، ولا شيء منها بسرعة لا تزيد على ⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s along the wall, none with %2 m/s or more</source>
+        <translation>كلها بسرعة على طول الجدار لا تزيد على ⁦%1 m/s⁩، ولا شيء منها بسرعة ⁦%2 m/s⁩ أو أكثر</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more along the wall, none with up to %2 m/s</source>
+        <translation>كلها بسرعة على طول الجدار ⁦%1 m/s⁩ أو أكثر، ولا شيء منها بسرعة لا تزيد على ⁦%2 m/s⁩</translation>
+    </message>
+    <message>
+        <source>the first %1, none of the later ones</source>
+        <translation>الأول %1، ولا شيء مما بعده</translation>
+    </message>
+    <message>
+        <source>all but the first %1</source>
+        <translation>كلها عدا الأول %1</translation>
+    </message>
+    <message>
+        <source>all up to number %1, none from number %2 on, counted %3</source>
+        <translation>كلها حتى الرقم ⁨%1⁩، ولا شيء منها ابتداءً من الرقم ⁨%2⁩، بالعدّ %3</translation>
+    </message>
+    <message>
+        <source>all from number %1 on, none up to number %2, counted %3</source>
+        <translation>كلها ابتداءً من الرقم ⁨%1⁩، ولا شيء منها حتى الرقم ⁨%2⁩، بالعدّ %3</translation>
+    </message>
+    <message>
+        <source>the first, the third and so on %1, none between them</source>
+        <translation>الأول والثالث وهكذا %1، ولا شيء مما بينها</translation>
+    </message>
+    <message>
+        <source>the second, the fourth and so on %1, none between them</source>
+        <translation>الثاني والرابع وهكذا %1، ولا شيء مما بينها</translation>
+    </message>
+    <message>
+        <source>all before the two circles had hit each other, none after it</source>
+        <translation>كلها قبل أن تتصادم الدائرتان، ولا شيء منها بعد ذلك</translation>
+    </message>
+    <message>
+        <source>all before the circles had hit a wall, none after it</source>
+        <translation>كلها قبل أن تصطدم الدوائر بجدار، ولا شيء منها بعد ذلك</translation>
+    </message>
+    <message>
+        <source>all after the circles had hit a wall, none before it</source>
+        <translation>كلها بعد أن اصطدمت الدوائر بجدار، ولا شيء منها قبل ذلك</translation>
+    </message>
+    <message>
+        <source>all that moved to the right, no others</source>
+        <translation>كل ما كان يتحرك إلى اليمين، دون غيره</translation>
+    </message>
+    <message>
+        <source>all that moved to the left, no others</source>
+        <translation>كل ما كان يتحرك إلى اليسار، دون غيره</translation>
+    </message>
+    <message>
+        <source>all that moved upward, no others</source>
+        <translation>كل ما كان يتحرك إلى الأعلى، دون غيره</translation>
+    </message>
+    <message>
+        <source>all that moved downward, no others</source>
+        <translation>كل ما كان يتحرك إلى الأسفل، دون غيره</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right.</source>
+        <translation>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، لم تصحّ أي محاولة.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت واحدة.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت اثنتان.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت %n.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت %n.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right: %2.</source>
+        <translation>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، لم تصحّ أي محاولة: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت واحدة: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت اثنتان: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت %n: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت %n: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، صحّت %n: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Which of these counts, the tries do not show.</source>
+        <translation>أيُّ ذلك هو المهم، لا تُظهره المحاولات.</translation>
+    </message>
+    <message>
+        <source>With every e tried %1 of the speed comes back.</source>
+        <translation>مع كل e جُرّبت يرجع ⁨%1⁩ من السرعة.</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>من كل سرعة جُرّبت تغادر بسرعة ⁦%1 m/s⁩: احسب السرعة الجديدة من القديمة.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls leave %who moving outward</source>
+        <translation>بعد التصادمات عند %walls تظل الحركة نحو الخارج (%who)</translation>
+    </message>
+    <message>
+        <source>With every e tried nothing of it is lost.</source>
+        <translation>مع كل e جُرّبت لا يُفقد منها شيء.</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls are not answered</source>
+        <translation>بعض تصادمات %who عند %walls تبقى بلا استجابة</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls come out wrong</source>
+        <translation>بعض تصادمات %who عند %walls تأتي خطأً</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls are answered too late</source>
+        <translation>بعض تصادمات %who عند %walls تُقابَل بالاستجابة متأخرة</translation>
+    </message>
+    <message>
+        <source>This one came out right: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.</source>
+        <translation>وجاء هذا صحيحًا: الدائرة ⁨%1⁩ عند ⁦%2 s⁩، عند ⁨%3⁩ في ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>At every wall %who went out</source>
+        <translation>عند كل جدار خرجت %who</translation>
+    </message>
+    <message>
+        <source>At the %walls %who went out</source>
+        <translation>عند %walls خرجت %who</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls leave %who moving outward</source>
+        <translation>بعد التصادمات البطيئة عند %walls تظل الحركة نحو الخارج (%who)</translation>
+    </message>
+    <message>
+        <source>The x of %who does not change</source>
+        <translation>لا يتغير x لدى %who</translation>
+    </message>
+    <message>
+        <source>The y of %who does not change</source>
+        <translation>لا يتغير y لدى %who</translation>
+    </message>
+    <message>
+        <source>At every timestep tried it goes as far as in %1 s. Take the parameter of `on_update`.</source>
+        <translation>عند كل خطوة زمنية جُرّبت تقطع ما يُقطع في ⁦%1 s⁩. خذ معامل `on_update`.</translation>
+    </message>
+    <message>
+        <source>The velocity has no part in the way of %who</source>
+        <translation>لا دخل للسرعة في مسار %who</translation>
+    </message>
+    <message>
+        <source>A step moves %who nowhere</source>
+        <translation>لا تتحرك %who في الخطوة</translation>
     </message>
 </context>
 <context>

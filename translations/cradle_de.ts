@@ -2023,10 +2023,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Nichts geschieht, wenn es Kreis 2 ist, der näher kommt</translation>
     </message>
     <message>
-        <source>Not every meeting is answered</source>
-        <translation>Nicht jedes Treffen wird beantwortet</translation>
-    </message>
-    <message>
         <source>A later hit is not answered</source>
         <translation>Ein späterer Stoß wird nicht beantwortet</translation>
     </message>
@@ -2067,20 +2063,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who hängt der neue Ort nicht vom alten ab</translation>
     </message>
     <message>
-        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
-        <translation>Wo der Kreis auch startet, nach denselben zwei Schritten ist er am selben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
-    </message>
-    <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
         <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt der Kreis in einem Schritt %3 m weit; v Δt ist %4 m.</translation>
-    </message>
-    <message>
-        <source>The x of %who never changes</source>
-        <translation>Für %who ändert sich x nie</translation>
-    </message>
-    <message>
-        <source>The y of %who never changes</source>
-        <translation>Für %who ändert sich y nie</translation>
     </message>
     <message>
         <source>The way of %who is not multiplied by the timestep</source>
@@ -2103,20 +2087,12 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who hängt der zurückgelegte Weg von einer festen Zahl ab statt vom Zeitschritt</translation>
     </message>
     <message>
-        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
-        <translation>Wie groß Δt auch ist, der Kreis kommt so weit wie in %1 s. Nimm den Parameter von `on_update`.</translation>
-    </message>
-    <message>
         <source>The way of %who in a step is not v Δt</source>
         <translation>Für %who ist der Weg eines Schritts nicht v Δt</translation>
     </message>
     <message>
         <source>Look at the line that changes the position.</source>
         <translation>Sieh dir die Zeile an, die den Ort ändert.</translation>
-    </message>
-    <message>
-        <source>Nothing moves %who</source>
-        <translation>Nichts bewegt %who</translation>
     </message>
     <message>
         <source>In every step its position gets v Δt added.</source>
@@ -2187,14 +2163,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who steht im Fall eine feste Zahl statt des Zeitschritts</translation>
     </message>
     <message>
-        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
-        <translation>Wie groß Δt auch ist, die Schwerkraft wirkt %1 s lang. Nimm den Parameter von `on_update`.</translation>
-    </message>
-    <message>
-        <source>Gravity does not act on %who</source>
-        <translation>Die Schwerkraft wirkt nicht auf %who</translation>
-    </message>
-    <message>
         <source>Look at the signs.</source>
         <translation>Sieh dir die Vorzeichen an.</translation>
     </message>
@@ -2263,10 +2231,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who ist das, was auf die Geschwindigkeit wirkt, %1-mal so stark, wie es sein soll</translation>
     </message>
     <message>
-        <source>%1 g Δt² is asked for.</source>
-        <translation>Verlangt ist %1 g Δt².</translation>
-    </message>
-    <message>
         <source>One of these is asked for.</source>
         <translation>Verlangt ist eines davon.</translation>
     </message>
@@ -2281,26 +2245,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>The motion of %who is no known method; %1 is asked for</source>
         <translation>Für %who folgt die Bewegung keinem bekannten Verfahren; verlangt ist: %1</translation>
-    </message>
-    <message>
-        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
-        <translation>die genaue Parabel (Verlet, Runge-Kutta 4)</translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation>Jeder Kreis hat das Verfahren des anderen
-
-Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 a Δt² weiter und Kreis 2 um %2 a Δt²; es sollte umgekehrt sein. Sieh nach, welcher Kreis zu welchem Verfahren gehört.</translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation>Die Kreise bewegen sich nach verschiedenen Verfahren
-
-Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 a Δt² weiter und Kreis 2 um %2 a Δt²; beide brauchen dasselbe. Sieh nach, welche Zeilen welchen Kreis bewegen.</translation>
     </message>
     <message>
         <source>The masses are numbers, not those of the circles</source>
@@ -2423,16 +2367,8 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Nach einem Stoß laufen die Kreise noch immer ineinander</translation>
     </message>
     <message>
-        <source>Whatever e is, the rebound is that of e = %1.</source>
-        <translation>Wie groß e auch ist, der Rückprall ist der von e = %1.</translation>
-    </message>
-    <message>
         <source>Numbers stand for e in the hit of two circles</source>
         <translation>Im Stoß zweier Kreise stehen Zahlen für e</translation>
-    </message>
-    <message>
-        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
-        <translation>Wie groß e auch ist, Kreis 1 antwortet wie mit e = %1 und Kreis 2 wie mit e = %2.</translation>
     </message>
     <message>
         <source>A hit acts on both circles.</source>
@@ -2503,10 +2439,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Beide neuen Geschwindigkeiten kommen aus denen *vor* dem Stoß: Sieh nach, welche Zeilen eine Geschwindigkeit lesen, die schon geschrieben wurde.</translation>
     </message>
     <message>
-        <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
-        <translation>Gleiche Kreise tauschen ihre ganzen Geschwindigkeiten, nicht nur die Anteile längs der Normalen</translation>
-    </message>
-    <message>
         <source>The parts across change hands, and those along the normal stay</source>
         <translation>Die Anteile quer zur Normalen werden getauscht, und die längs der Normalen bleiben</translation>
     </message>
@@ -2529,10 +2461,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>The velocity of circle 1 is worked out from what circle 2 has become</source>
         <translation>Die Geschwindigkeit von Kreis 1 wird aus dem berechnet, was aus Kreis 2 geworden ist</translation>
-    </message>
-    <message>
-        <source>After an elastic hit both circles have the same velocity along the normal</source>
-        <translation>Nach einem elastischen Stoß haben beide Kreise längs der Normalen dieselbe Geschwindigkeit</translation>
     </message>
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
@@ -2703,10 +2631,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Die Normale der Seitenwände zeigt längs x, die von Boden und Decke längs y.</translation>
     </message>
     <message>
-        <source>Whatever e is, %1 of the speed comes back.</source>
-        <translation>Wie groß e auch ist, zurück kommt das %1-Fache des Tempos.</translation>
-    </message>
-    <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
         <translation>Die Geschwindigkeit zeigt immer noch in die Wand: Sieh dir das Vorzeichen an.</translation>
     </message>
@@ -2743,10 +2667,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Wenn sie sich berühren, ändert sich ein Ort und keine Geschwindigkeit; der nächste Schritt bringt sie wieder dorthin. Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen und wonach sie fragen.</translation>
     </message>
     <message>
-        <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
-        <translation>Wie groß die Radien auch sind, sie antworten beim selben Abstand, zwischen %1 und %2 m.</translation>
-    </message>
-    <message>
         <source>Gravity does not act alike on light and heavy ones (%who)</source>
         <translation>Die Schwerkraft wirkt auf Leichte und Schwere nicht gleich (%who)</translation>
     </message>
@@ -2757,14 +2677,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>Every step puts %who where circle %1 is</source>
         <translation>Jeder Schritt setzt %who dorthin, wo Kreis %1 ist</translation>
-    </message>
-    <message>
-        <source>Wherever the two start, one step later they are at the same place. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
-        <translation>Wo die beiden auch beginnen, einen Schritt später sind sie am selben Ort. Jeder Kreis hat einen eigenen Ort und eine eigene Geschwindigkeit und geht von diesen weiter: Sieh nach, was die Zeilen für den einen vom anderen nehmen.</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
-        <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s, und das nach jedem anderen Start. Ein Schritt rechnet die neue Geschwindigkeit aus der aus, die der Kreis hat und die ein Stoß geändert haben kann; der Start wird einmal gesetzt, in `on_load`.</translation>
     </message>
     <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
@@ -2847,14 +2759,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4, e = %5: </translation>
     </message>
     <message>
-        <source>%1 along, %2 across</source>
-        <translation>%1 längs, %2 quer</translation>
-    </message>
-    <message>
-        <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
-        <translation>Geschwindigkeiten in m/s längs der Verbindungslinie der Mittelpunkte (von 1 nach 2) und quer dazu: Kreis 1 kam mit %1, Kreis 2 mit %2; sie gingen mit %3 und mit %4; richtig ist %5 und %6.</translation>
-    </message>
-    <message>
         <source>e = %1 is not the value that is asked for</source>
         <translation>e = %1 ist nicht der verlangte Wert</translation>
     </message>
@@ -2873,10 +2777,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>The y of the velocity of %who is set anew in every step</source>
         <translation>Das y der Geschwindigkeit wird für %who in jedem Schritt neu gesetzt</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
-        <translation>Mit %1 m/s gestartet, sind es einen Schritt später %2 m/s, und dieser Anteil ist nach jedem anderen Start derselbe. Ein Schritt rechnet jeden Anteil aus dem aus, den der Kreis hat, und behält ihn für den nächsten.</translation>
     </message>
     <message>
         <source>The old place of %who is multiplied, too</source>
@@ -2943,10 +2843,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Für %who kommt die Geschwindigkeit von Kreis %1</translation>
     </message>
     <message>
-        <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>Wie die eigene Geschwindigkeit auch war, einen Schritt später ist es die von Kreis %1 und was die Schwerkraft hinzufügt: Aus %2 m/s am Anfang werden %3 m/s. Jeder Kreis geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in der Zeile an, die sie ändert.</translation>
-    </message>
-    <message>
         <source>Away from every wall a low speed of %who is taken away</source>
         <translation>Fern von jeder Wand wird für %who eine kleine Geschwindigkeit weggenommen</translation>
     </message>
@@ -2997,10 +2893,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>Wie lange ein Zeitschritt dauert, ist der Parameter von `on_update`; `time` ist die Zeit seit dem Start, und `step` zählt.</translation>
-    </message>
-    <message>
-        <source>The velocity does not move %who</source>
-        <translation>Die Geschwindigkeit bewegt %who nicht</translation>
     </message>
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
@@ -3147,82 +3039,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Kreis %1 kam mit %3 m/s an %2 an und kehrte um, als sein Rand zwischen %4 und %5 m davon entfernt war; mit %6 m/s zwischen %7 und %8 m. Das ist der Weg einer Sekunde: Ein Schritt bringt ihn um v Δt weiter, nicht um v.</translation>
     </message>
     <message>
-        <source>Gravity acts on %who as it should only %1</source>
-        <translation>Die Schwerkraft wirkt auf %who nur %1 so, wie sie soll</translation>
-    </message>
-    <message>
-        <source>The velocity of %who changes as it should only %1</source>
-        <translation>Die Geschwindigkeit ändert sich nur %1 so, wie sie soll (%who)</translation>
-    </message>
-    <message>
-        <source>the first time</source>
-        <translation>beim ersten Mal</translation>
-    </message>
-    <message>
-        <source>from the second time on</source>
-        <translation>ab dem zweiten Mal</translation>
-    </message>
-    <message>
-        <source>the first time, the third, and so on</source>
-        <translation>beim ersten, beim dritten Mal und so weiter</translation>
-    </message>
-    <message>
-        <source>every second time</source>
-        <translation>jedes zweite Mal</translation>
-    </message>
-    <message>
-        <source>when the last one is long past</source>
-        <translation>wenn der letzte lange her ist</translation>
-    </message>
-    <message>
-        <source>until the circles have hit each other</source>
-        <translation>bis die Kreise einander gestoßen haben</translation>
-    </message>
-    <message>
-        <source>up to a time between %1 and %2 s</source>
-        <translation>bis zu einem Zeitpunkt zwischen %1 und %2 s</translation>
-    </message>
-    <message>
-        <source>from a time between %1 and %2 s on</source>
-        <translation>ab einem Zeitpunkt zwischen %1 und %2 s</translation>
-    </message>
-    <message>
-        <source>above a height between y = %1 and %2 m</source>
-        <translation>über einer Höhe zwischen y = %1 und %2 m</translation>
-    </message>
-    <message>
-        <source>below a height between y = %1 and %2 m</source>
-        <translation>unter einer Höhe zwischen y = %1 und %2 m</translation>
-    </message>
-    <message>
-        <source>to the left of a place between x = %1 and %2 m</source>
-        <translation>links von einer Stelle zwischen x = %1 und %2 m</translation>
-    </message>
-    <message>
-        <source>to the right of a place between x = %1 and %2 m</source>
-        <translation>rechts von einer Stelle zwischen x = %1 und %2 m</translation>
-    </message>
-    <message>
-        <source>up to a speed between %1 and %2 m/s</source>
-        <translation>bis zu einem Tempo zwischen %1 und %2 m/s</translation>
-    </message>
-    <message>
-        <source>from a speed between %1 and %2 m/s on</source>
-        <translation>ab einem Tempo zwischen %1 und %2 m/s</translation>
-    </message>
-    <message>
-        <source>at times</source>
-        <translation>manchmal</translation>
-    </message>
-    <message>
-        <source>Hits of the two circles are answered only %1</source>
-        <translation>Stöße der beiden Kreise werden nur %1 beantwortet</translation>
-    </message>
-    <message>
-        <source>Hits of the two circles come out right only %1</source>
-        <translation>Stöße der beiden Kreise gehen nur %1 richtig aus</translation>
-    </message>
-    <message>
         <source>Beside a wall the velocity of both circles changes at once</source>
         <translation>Neben einer Wand ändert sich die Geschwindigkeit beider Kreise zugleich</translation>
     </message>
@@ -3267,18 +3083,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Sie sind weit voneinander entfernt. Sieh dir an, was die Zeilen, die einen Kreis bewegen, von einem anderen nehmen und was vor ihnen gefragt wird.</translation>
     </message>
     <message>
-        <source>Of %1 arrivals at walls, here and there, early and late, %2 came out right.</source>
-        <translation>Von %1 Ankünften an Wänden, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
-    </message>
-    <message>
-        <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
-        <translation>Von %1 Stößen der beiden Kreise, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
-    </message>
-    <message>
-        <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
-        <translation>Sieh dir an, was vor den Zeilen gefragt wird, die das tun, und was dein Programm von einem Schritt zum nächsten behält.</translation>
-    </message>
-    <message>
         <source>What gravity adds to the way of %who goes with Δt, not with Δt²</source>
         <translation>Was die Schwerkraft für %who zum Weg hinzufügt, geht mit Δt, nicht mit Δt²</translation>
     </message>
@@ -3291,16 +3095,8 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Jeder Schritt bewegt %who außer um v Δt um einen festen Weg</translation>
     </message>
     <message>
-        <source>Whatever Δt, gravity and its velocity are, it goes on by %1 m besides. Look at what is added to the position.</source>
-        <translation>Was auch immer Δt, die Schwerkraft und seine Geschwindigkeit sind, es kommen %1 m hinzu. Sieh dir an, was zum Ort addiert wird.</translation>
-    </message>
-    <message>
         <source>Something besides its own velocity moves %who</source>
         <translation>Außer der eigenen Geschwindigkeit bewegt noch etwas %who</translation>
-    </message>
-    <message>
-        <source>Whatever gravity and its velocity are, it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
-        <translation>Was auch immer die Schwerkraft und seine Geschwindigkeit sind, es kommen %1 m/s mal Δt hinzu. Sieh dir an, was zum Ort addiert wird.</translation>
     </message>
     <message>
         <source>What a step adds to the way of %who besides v Δt is no method&apos;s</source>
@@ -3343,14 +3139,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>In jedem Schritt muss die Schwerkraft seine Geschwindigkeit ändern: Suche die Zeile, die das tut, und sieh dir an, was vor ihr gefragt wird.</translation>
     </message>
     <message>
-        <source>The way of %who in a step is v Δt only %1</source>
-        <translation>Für %who ist der Weg eines Schritts nur %1 v Δt</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
-        <translation>Unter der Schwerkraft %1 m/s² kommt er in einem Schritt außer um v Δt um %2 g Δt² weiter. Euler bewegt ihn mit der alten Geschwindigkeit, um 0 g Δt²; der symplektische Euler mit der neuen, um 1 g Δt²; die genauen Verfahren um ½ g Δt².</translation>
-    </message>
-    <message>
         <source>The velocity of %who changes although it touches nothing</source>
         <translation>Die Geschwindigkeit ändert sich für %who, obwohl nichts berührt wird</translation>
     </message>
@@ -3365,10 +3153,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>A faster one goes on as it should.</source>
         <translation>Ein schnellerer läuft weiter, wie er soll.</translation>
-    </message>
-    <message>
-        <source>How the velocity of %who changes depends on the velocity otherwise than asked</source>
-        <translation>Wie sich die Geschwindigkeit ändert, hängt für %who anders als verlangt von ihr selbst ab</translation>
     </message>
     <message>
         <source>Look at what the lines that change the velocity take, and at what is asked before them.</source>
@@ -3389,10 +3173,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>The velocity of %who changes by itself otherwise than asked</source>
         <translation>Die Geschwindigkeit ändert sich für %who durch sich selbst anders als verlangt</translation>
-    </message>
-    <message>
-        <source>Far from everything the velocity of %who turns round in every step</source>
-        <translation>Fern von allem kehrt sich für %who die Geschwindigkeit in jedem Schritt um</translation>
     </message>
     <message>
         <source>It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near that it could hit. Look at the lines that turn it, and at what is asked before them: is it true although nothing touches?</source>
@@ -3460,15 +3240,11 @@ So ist es, wenn der Lauf beginnt.</translation>
     </message>
     <message>
         <source>In a step of %1 s it keeps as much of it, %2 times: so what happens in a second depends on Δt.</source>
-        <translation>In einem Schritt von %1 s behält er davon ebenso viel, das %2-fache: So hängt von Δt ab, was in einer Sekunde geschieht.</translation>
+        <translation>In einem Schritt von %1 s behält er davon ebenso viel, das %2-Fache: So hängt von Δt ab, was in einer Sekunde geschieht.</translation>
     </message>
     <message>
         <source>Every step moves %who on from where circle %1 is</source>
         <translation>Jeder Schritt bewegt %who von dort weiter, wo Kreis %1 ist</translation>
-    </message>
-    <message>
-        <source>Wherever the two start, one step later they are near each other. Each circle goes on from its own place: look at the names in the line that moves it.</source>
-        <translation>Wo die beiden auch starten, einen Schritt später sind sie nahe beieinander. Jeder Kreis geht von seinem eigenen Ort weiter: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
     </message>
     <message>
         <source>Started with %1 m/s, its velocity changes by %2 m/s in the second step of %3 s; with every other circle at rest and elsewhere by %4 m/s.</source>
@@ -3477,18 +3253,6 @@ So ist es, wenn der Lauf beginnt.</translation>
     <message>
         <source>The acceleration of %who is opposite to gravity</source>
         <translation>Die Beschleunigung ist für %who der Schwerkraft entgegengesetzt</translation>
-    </message>
-    <message>
-        <source>The motion of %who is %1 only %2</source>
-        <translation>Für %who ist die Bewegung nur %2 %1</translation>
-    </message>
-    <message>
-        <source>until it has hit a wall</source>
-        <translation>bis er eine Wand getroffen hat</translation>
-    </message>
-    <message>
-        <source>after it has hit a wall</source>
-        <translation>nachdem er eine Wand getroffen hat</translation>
     </message>
     <message>
         <source>Nothing changes the velocity of circle %1
@@ -3509,54 +3273,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
         <translation>Außer v Δt kommt er um %1 g Δt² weiter, wo seine Geschwindigkeit %2 m/s ist, und um %3 g Δt², wo sie %4 m/s ist. Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren ½ g Δt². Sieh dir an, was vor den Zeilen gefragt wird, die ihn bewegen.</translation>
-    </message>
-    <message>
-        <source>Of %1 steps of free flight, here and there, early and late, %2 came out right.</source>
-        <translation>Von %1 Schritten freien Flugs, hier und dort, früh und spät, sind %2 richtig ausgegangen.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
-        <translation>Nach %1 s seines Laufs änderte Kreis %2 bei %3 m, fern von allen anderen, seine Geschwindigkeit in einem Schritt von %5 s um %4 m/s; richtig ist %6 m/s.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
-        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; richtig ist %6 m.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
-        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, fern von allen anderen, in einem Schritt von %5 s um %4 m weiter; nach jenem Verfahren sind es %6 m.</translation>
-    </message>
-    <message>
-        <source>with a velocity that points right</source>
-        <translation>mit einer Geschwindigkeit nach rechts</translation>
-    </message>
-    <message>
-        <source>with a velocity that points left</source>
-        <translation>mit einer Geschwindigkeit nach links</translation>
-    </message>
-    <message>
-        <source>with a velocity that points up</source>
-        <translation>mit einer Geschwindigkeit nach oben</translation>
-    </message>
-    <message>
-        <source>with a velocity that points down</source>
-        <translation>mit einer Geschwindigkeit nach unten</translation>
-    </message>
-    <message>
-        <source>up to a speed into the wall between %1 and %2 m/s</source>
-        <translation>bis zu einem Tempo in die Wand hinein zwischen %1 und %2 m/s</translation>
-    </message>
-    <message>
-        <source>from a speed into the wall between %1 and %2 m/s on</source>
-        <translation>ab einem Tempo in die Wand hinein zwischen %1 und %2 m/s</translation>
-    </message>
-    <message>
-        <source>up to a speed along the wall between %1 and %2 m/s</source>
-        <translation>bis zu einem Tempo längs der Wand zwischen %1 und %2 m/s</translation>
-    </message>
-    <message>
-        <source>from a speed along the wall between %1 and %2 m/s on</source>
-        <translation>ab einem Tempo längs der Wand zwischen %1 und %2 m/s</translation>
     </message>
     <message>
         <source>Where nothing rubs, a push points along the normal only.</source>
@@ -3623,14 +3339,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Stöße an %walls geben für %who ein eigenes Tempo vor</translation>
     </message>
     <message>
-        <source>However fast it comes, it leaves with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>Wie schnell er auch ankommt, er geht mit %1 m/s weg: Berechne die neue Geschwindigkeit aus der alten.</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls do not turn %who round</source>
-        <translation>Stöße an %walls lassen %who nicht umkehren</translation>
-    </message>
-    <message>
         <source>Hits at the %walls do not give %who e times the speed back</source>
         <translation>An %walls kommt für %who nicht das e-Fache des Tempos zurück</translation>
     </message>
@@ -3657,10 +3365,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>Hits at the %walls give %who all of the speed back</source>
         <translation>An %walls kommt für %who das ganze Tempo zurück</translation>
-    </message>
-    <message>
-        <source>Whatever e is, nothing of it is lost.</source>
-        <translation>Wie groß e auch ist, nichts davon geht verloren.</translation>
     </message>
     <message>
         <source>At the %walls e acts on %who twice</source>
@@ -3702,32 +3406,12 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>Hits at the %walls turn %who round only %1</source>
-        <translation>Stöße an %walls kehren %who nur %1 um</translation>
-    </message>
-    <message>
-        <source>Hits of %who at the %walls come out right only %1</source>
-        <translation>Stöße an %walls gehen nur %1 richtig aus (%who)</translation>
-    </message>
-    <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it at first.</source>
         <translation>Nach %1 s seines Laufs kam Kreis %2 bei %4 m mit %5 m/s an %3 an und lief erst einmal darüber hinaus.</translation>
     </message>
     <message>
-        <source>That at %1 s of circle %2 came out right: at the %3 at %4 m with %5 m/s.</source>
-        <translation>Der bei %1 s von Kreis %2 ging richtig aus: an %3 bei %4 m mit %5 m/s.</translation>
-    </message>
-    <message>
-        <source>No wall turns %who round</source>
-        <translation>Keine Wand lässt %who umkehren</translation>
-    </message>
-    <message>
         <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
         <translation>Gegen jede geworfen, ging es hindurch (%who); an %1 mit %2 m/s. Sieh dir an, was nach der Bewegung gefragt wird und ob die Antwort je Ja ist.</translation>
-    </message>
-    <message>
-        <source>Nothing turns %who round at the %walls</source>
-        <translation>Nichts lässt %who an %walls umkehren</translation>
     </message>
     <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
@@ -3751,11 +3435,11 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     </message>
     <message>
         <source>At the %walls the radius of another circle stands for that of %who</source>
-        <translation>An %walls steht der Radius eines anderen Kreises für den von %who</translation>
+        <translation>An %walls steht der Radius eines anderen Kreises statt des eigenen (%who)</translation>
     </message>
     <message>
         <source>At the %walls the larger radius stands for that of %who</source>
-        <translation>An %walls steht der größere Radius für den von %who</translation>
+        <translation>An %walls steht der größere Radius statt des eigenen (%who)</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
@@ -3763,7 +3447,7 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     </message>
     <message>
         <source>At the %walls the smaller radius stands for that of %who</source>
-        <translation>An %walls steht der kleinere Radius für den von %who</translation>
+        <translation>An %walls steht der kleinere Radius statt des eigenen (%who)</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
@@ -3788,10 +3472,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>Hits at the %walls turn %who round at the wrong place</source>
         <translation>Stöße an %walls lassen %who am falschen Ort umkehren</translation>
-    </message>
-    <message>
-        <source>Slow hits at the %walls do not turn %who round</source>
-        <translation>Langsame Stöße an %walls lassen %who nicht umkehren</translation>
     </message>
     <message>
         <source>Slow hits at the %walls give %who another share of the speed back</source>
@@ -3866,52 +3546,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umkehrst.</translation>
     </message>
     <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, and along the line of centres, those and no others.</source>
-        <translation>Von %1 Treffen aller Art wurden %2 beantwortet, bis sich die Ränder trafen, und entlang der Verbindungslinie der Mittelpunkte, diese und keine anderen.</translation>
-    </message>
-    <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, those and no others.</source>
-        <translation>Von %1 Treffen aller Art wurden %2 beantwortet, bis sich die Ränder trafen, diese und keine anderen.</translation>
-    </message>
-    <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met.</source>
-        <translation>Von %1 Treffen aller Art wurden %2 beantwortet, bis sich die Ränder trafen.</translation>
-    </message>
-    <message>
-        <source>One that was not: %1.</source>
-        <translation>Eines, das es nicht wurde: %1.</translation>
-    </message>
-    <message>
-        <source>One that was: %1.</source>
-        <translation>Eines, das es wurde: %1.</translation>
-    </message>
-    <message>
-        <source>Look at what changes from one side to the other, such as the sign of a difference of two positions, and an angle that is worked out from it.</source>
-        <translation>Sieh dir an, was sich von einer Seite zur anderen ändert, etwa das Vorzeichen der Differenz zweier Positionen und ein Winkel, der daraus berechnet wird.</translation>
-    </message>
-    <message>
-        <source>What counts is whether they overlap, and whether the velocity of one relative to the other closes the gap along the line of centres.</source>
-        <translation>Es zählt, ob sie sich überlappen und ob die Geschwindigkeit des einen relativ zum anderen sie entlang der Verbindungslinie der Mittelpunkte näher bringt.</translation>
-    </message>
-    <message>
-        <source>Hits come out right only %1</source>
-        <translation>Stöße gehen nur %1 richtig aus</translation>
-    </message>
-    <message>
-        <source>Hits are answered in time only %1</source>
-        <translation>Stöße werden nur %1 rechtzeitig beantwortet</translation>
-    </message>
-    <message>
-        <source>Hits are answered only %1</source>
-        <translation>Stöße werden nur %1 beantwortet</translation>
-    </message>
-    <message>
         <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
         <translation>Kreis 1 kam mit %1 m/s, Kreis 2 mit %2 m/s</translation>
-    </message>
-    <message>
-        <source>their line of centres, from 1 to 2, at %1°</source>
-        <translation>die Verbindungslinie ihrer Mittelpunkte, von 1 nach 2, bei %1°</translation>
     </message>
     <message>
         <source>near %1 m</source>
@@ -4054,10 +3690,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>beide gleich dicht sind</translation>
     </message>
     <message>
-        <source>where %1</source>
-        <translation>dort, wo %1</translation>
-    </message>
-    <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. What counts is whether they overlap and come nearer, not when the last hit was, nor whether a wall is near.</source>
         <translation>Kreis 2 wurde gestoßen, war innerhalb weniger Schritte von der Wand dicht hinter ihm zurück und lief ohne Antwort in Kreis 1; von einer ferneren Wand bekommt er eine. Es zählt, ob sie sich überlappen und einander nähern, nicht, wann der letzte Stoß war oder ob eine Wand nahe ist.</translation>
     </message>
@@ -4094,10 +3726,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Mit einem Zeitschritt von %1 s ist der Kraftstoß %2-mal so groß, wie er sein soll, und mit %3 s etwa %4-mal.</translation>
     </message>
     <message>
-        <source>%1, in the new velocity of circle %2 alone</source>
-        <translation>%1, nur in der neuen Geschwindigkeit von Kreis %2</translation>
-    </message>
-    <message>
         <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
         <translation>Kreis %1 verlässt einen Stoß, wie er soll, Kreis %2 nicht</translation>
     </message>
@@ -4118,8 +3746,407 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Ein Stoß ändert den Anteil von Kreis %1 quer zur Verbindungslinie der Mittelpunkte</translation>
     </message>
     <message>
-        <source>Of the %1 meetings that were tried %2 were answered in time.</source>
-        <translation>Von den %1 versuchten Begegnungen wurden %2 rechtzeitig beantwortet.</translation>
+        <source>From every start tried the two are at the same place one step later. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
+        <translation>Nach jedem versuchten Start sind die beiden einen Schritt später am selben Ort. Jeder Kreis hat einen eigenen Ort und eine eigene Geschwindigkeit und geht von diesen weiter: Sieh nach, was die Zeilen für den einen vom anderen nehmen.</translation>
+    </message>
+    <message>
+        <source>With every velocity tried it has one step later what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>Mit jeder versuchten Geschwindigkeit ist es einen Schritt später die von Kreis %1 und was die Schwerkraft hinzufügt: Aus %2 m/s am Anfang werden %3 m/s. Jeder Kreis geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in der Zeile an, die sie ändert.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
+        <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s, und das nach jedem anderen versuchten Start. Ein Schritt rechnet die neue Geschwindigkeit aus der aus, die der Kreis hat und die ein Stoß geändert haben kann; der Start wird einmal gesetzt, in `on_load`.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start tried. A step works each part out from the one that the circle has, and keeps it for the next.</source>
+        <translation>Mit %1 m/s gestartet, sind es einen Schritt später %2 m/s, und dieser Anteil ist nach jedem anderen versuchten Start derselbe. Ein Schritt rechnet jeden Anteil aus dem aus, den der Kreis hat, und behält ihn für den nächsten.</translation>
+    </message>
+    <message>
+        <source>From every start tried the two are near each other one step later. Each circle goes on from its own place: look at the names in the line that moves it.</source>
+        <translation>Nach jedem versuchten Start sind die beiden einen Schritt später nahe beieinander. Jeder Kreis geht von seinem eigenen Ort weiter: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
+    </message>
+    <message>
+        <source>From every start tried it is at the same place after the same two steps. A step *adds* a way to the old position.</source>
+        <translation>Nach jedem versuchten Start ist der Kreis nach denselben zwei Schritten am selben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks there, and at what it keeps from one step to the next.</source>
+        <translation>Sieh dir an, was dein Programm dort fragt und was es von einem Schritt zum nächsten behält.</translation>
+    </message>
+    <message>
+        <source>With all radii tried they answer at the same distance, between %1 and %2 m.</source>
+        <translation>Mit allen versuchten Radien antworten sie beim selben Abstand, zwischen %1 und %2 m.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Begegnungen wurde %n rechtzeitig beantwortet.</numerusform>
+            <numerusform>Von %1 versuchten Begegnungen wurden %n rechtzeitig beantwortet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This one came out wrong: %1.</source>
+        <translation>Diese ging falsch aus: %1.</translation>
+    </message>
+    <message>
+        <source>This one came out right: %1.</source>
+        <translation>Diese ging richtig aus: %1.</translation>
+    </message>
+    <message>
+        <source>Look at what changes from one side to the other: the sign of a difference, or an angle.</source>
+        <translation>Sieh dir an, was sich von einer Seite zur anderen ändert: das Vorzeichen einer Differenz oder ein Winkel.</translation>
+    </message>
+    <message>
+        <source>A hit is due where they overlap and come nearer along the line of centres, and nowhere else.</source>
+        <translation>Ein Stoß ist fällig, wo sie sich überlappen und entlang der Verbindungslinie der Mittelpunkte näher kommen, sonst nirgends.</translation>
+    </message>
+    <message>
+        <source>Some hits do not act along the line of centres</source>
+        <translation>Manche Stöße wirken nicht entlang der Verbindungslinie der Mittelpunkte</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles are answered too late</source>
+        <translation>Manche Stöße der beiden Kreise werden zu spät beantwortet</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles are not answered</source>
+        <translation>Manche Stöße der beiden Kreise bleiben unbeantwortet</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time and along the line of centres: %2.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Begegnungen wurde %n rechtzeitig und entlang der Verbindungslinie der Mittelpunkte beantwortet: %2.</numerusform>
+            <numerusform>Von %1 versuchten Begegnungen wurden %n rechtzeitig und entlang der Verbindungslinie der Mittelpunkte beantwortet: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time: %2.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Begegnungen wurde %n rechtzeitig beantwortet: %2.</numerusform>
+            <numerusform>Von %1 versuchten Begegnungen wurden %n rechtzeitig beantwortet: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>their line of centres at %1°</source>
+        <translation>die Verbindungslinie ihrer Mittelpunkte bei %1°</translation>
+    </message>
+    <message>
+        <source>At every timestep, gravity and velocity tried it goes on by %1 m besides. Look at what is added to the position.</source>
+        <translation>Bei jedem versuchten Δt, jeder Schwerkraft und jeder Geschwindigkeit kommen %1 m hinzu. Sieh dir an, was zum Ort addiert wird.</translation>
+    </message>
+    <message>
+        <source>At every gravity and velocity tried it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
+        <translation>Bei jeder versuchten Schwerkraft und Geschwindigkeit kommen %1 m/s mal Δt hinzu. Sieh dir an, was zum Ort addiert wird.</translation>
+    </message>
+    <message>
+        <source>At every timestep tried gravity acts for %1 s. Take the parameter of `on_update`.</source>
+        <translation>Bei jedem versuchten Zeitschritt wirkt die Schwerkraft %1 s lang. Nimm den Parameter von `on_update`.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves %who alone</source>
+        <translation>Die Schwerkraft wirkt nicht (%who)</translation>
+    </message>
+    <message>
+        <source>At times gravity acts wrongly on %who</source>
+        <translation>Manchmal wirkt die Schwerkraft falsch auf %who</translation>
+    </message>
+    <message>
+        <source>At times the velocity of %who changes wrongly</source>
+        <translation>Manchmal ändert sich die Geschwindigkeit falsch (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>Nach %1 s seines Laufs änderte Kreis %2 bei %3 m, ohne etwas zu berühren, seine Geschwindigkeit in einem Schritt von %5 s um %4 m/s; richtig ist %6 m/s.</translation>
+    </message>
+    <message>
+        <source>At times the way of %who in a step is not v Δt</source>
+        <translation>Manchmal ist der Weg eines Schritts nicht v Δt (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, ohne etwas zu berühren, in einem Schritt von %5 s um %4 m weiter; richtig ist %6 m.</translation>
+    </message>
+    <message>
+        <source>At times the motion of %who is not %1</source>
+        <translation>Manchmal ist die Bewegung nicht %1 (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, went %4 m in a step of %5 s; by that method it is %6 m.</source>
+        <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, ohne etwas zu berühren, in einem Schritt von %5 s um %4 m weiter; nach jenem Verfahren sind es %6 m.</translation>
+    </message>
+    <message>
+        <source>v Δt + %1 g Δt² is asked for.</source>
+        <translation>Verlangt ist v Δt + %1 g Δt².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt².</source>
+        <translation>Unter der Schwerkraft %1 m/s² kommt er in einem Schritt um v Δt + %2 g Δt² weiter, mit v von davor. Euler fügt v Δt 0 hinzu, der symplektische Euler g Δt², die genauen Verfahren (Verlet, Runge-Kutta 4) ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>the exact parabola</source>
+        <translation>die genaue Parabel</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>Jeder Kreis hat das Verfahren des anderen
+
+Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 g Δt² weiter und Kreis 2 um %2 g Δt²; es sollte umgekehrt sein. Sieh nach, welcher Kreis zu welchem Verfahren gehört.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both need the same. Look at which lines move which circle.</source>
+        <translation>Die Kreise bewegen sich nach verschiedenen Verfahren
+
+Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 g Δt² weiter und Kreis 2 um %2 g Δt²; beide brauchen dasselbe. Sieh nach, welche Zeilen welchen Kreis bewegen.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who depends wrongly on the velocity</source>
+        <translation>Die Beschleunigung hängt falsch von der Geschwindigkeit ab (%who)</translation>
+    </message>
+    <message>
+        <source>Far from everything the velocity of %who turns round</source>
+        <translation>Fern von allem kehrt sich die Geschwindigkeit um (%who)</translation>
+    </message>
+    <message>
+        <source>%1, where circle %2 was</source>
+        <translation>%1, wo Kreis %2 war</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>die, bei denen %1, keine anderen</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles come out wrong</source>
+        <translation>Manche Stöße der beiden Kreise gehen falsch aus</translation>
+    </message>
+    <message>
+        <source>%1, for circle %2 alone</source>
+        <translation>%1, nur für Kreis %2</translation>
+    </message>
+    <message>
+        <source>With every e tried the rebound is that of e = %1.</source>
+        <translation>Mit jedem versuchten e ist der Rückprall der von e = %1.</translation>
+    </message>
+    <message>
+        <source>With every e tried circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
+        <translation>Mit jedem versuchten e antwortet Kreis 1 wie mit e = %1 und Kreis 2 wie mit e = %2.</translation>
+    </message>
+    <message>
+        <source>Two equal circles exchange their whole velocities</source>
+        <translation>Zwei gleiche Kreise tauschen ihre ganzen Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>After an elastic hit the circles do not part</source>
+        <translation>Nach einem elastischen Stoß trennen sich die Kreise nicht</translation>
+    </message>
+    <message>
+        <source>Along the line of centres, from 1 to 2, circle 1 came with %1 m/s and circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right.</source>
+        <translation>Entlang der Verbindungslinie der Mittelpunkte, von 1 nach 2, kam Kreis 1 mit %1 m/s und Kreis 2 mit %2 m/s; danach hatten sie %3 und %4; richtig sind %5 und %6.</translation>
+    </message>
+    <message>
+        <source>Across the line of centres circle 1 came with %1 m/s and circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right.</source>
+        <translation>Quer zur Verbindungslinie der Mittelpunkte kam Kreis 1 mit %1 m/s und Kreis 2 mit %2 m/s; danach hatten sie %3 und %4; richtig sind %5 und %6.</translation>
+    </message>
+    <message>
+        <source>of each circle in a run</source>
+        <translation>jedes Kreises eines Laufs</translation>
+    </message>
+    <message>
+        <source>of each circle at each wall in a run</source>
+        <translation>jedes Kreises an jeder Wand eines Laufs</translation>
+    </message>
+    <message>
+        <source>in a run</source>
+        <translation>eines Laufs</translation>
+    </message>
+    <message>
+        <source>all that came %1 s or more after the one before, none that came within %2 s</source>
+        <translation>alle, die %1 s oder mehr nach dem vorigen kamen, keine innerhalb von %2 s</translation>
+    </message>
+    <message>
+        <source>all up to %1 s of a run, none from %2 s on</source>
+        <translation>alle bis %1 s eines Laufs, keine ab %2 s</translation>
+    </message>
+    <message>
+        <source>all from %1 s of a run on, none up to %2 s</source>
+        <translation>alle ab %1 s eines Laufs, keine bis %2 s</translation>
+    </message>
+    <message>
+        <source>all at y = %1 m and above, none at y = %2 m and below</source>
+        <translation>alle bei y = %1 m und darüber, keine bei y = %2 m und darunter</translation>
+    </message>
+    <message>
+        <source>all at y = %1 m and below, none at y = %2 m and above</source>
+        <translation>alle bei y = %1 m und darunter, keine bei y = %2 m und darüber</translation>
+    </message>
+    <message>
+        <source>all at x = %1 m and left of it, none at x = %2 m and right of it</source>
+        <translation>alle bei x = %1 m und links davon, keine bei x = %2 m und rechts davon</translation>
+    </message>
+    <message>
+        <source>all at x = %1 m and right of it, none at x = %2 m and left of it</source>
+        <translation>alle bei x = %1 m und rechts davon, keine bei x = %2 m und links davon</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s, none with %2 m/s or more</source>
+        <translation>alle mit höchstens %1 m/s, keine mit %2 m/s oder mehr</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more, none with up to %2 m/s</source>
+        <translation>alle mit %1 m/s oder mehr, keine mit höchstens %2 m/s</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s into the wall, none with %2 m/s or more</source>
+        <translation>alle mit höchstens %1 m/s in die Wand hinein, keine mit %2 m/s oder mehr</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more into the wall, none with up to %2 m/s</source>
+        <translation>alle mit %1 m/s oder mehr in die Wand hinein, keine mit höchstens %2 m/s</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s along the wall, none with %2 m/s or more</source>
+        <translation>alle mit höchstens %1 m/s längs der Wand, keine mit %2 m/s oder mehr</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more along the wall, none with up to %2 m/s</source>
+        <translation>alle mit %1 m/s oder mehr längs der Wand, keine mit höchstens %2 m/s</translation>
+    </message>
+    <message>
+        <source>the first %1, none of the later ones</source>
+        <translation>der erste %1, keine der späteren</translation>
+    </message>
+    <message>
+        <source>all but the first %1</source>
+        <translation>alle außer dem ersten %1</translation>
+    </message>
+    <message>
+        <source>all up to number %1, none from number %2 on, counted %3</source>
+        <translation>alle bis Nummer %1, keine ab Nummer %2, gezählt unter denen %3</translation>
+    </message>
+    <message>
+        <source>all from number %1 on, none up to number %2, counted %3</source>
+        <translation>alle ab Nummer %1, keine bis Nummer %2, gezählt unter denen %3</translation>
+    </message>
+    <message>
+        <source>the first, the third and so on %1, none between them</source>
+        <translation>der erste, der dritte und so weiter %1, keine dazwischen</translation>
+    </message>
+    <message>
+        <source>the second, the fourth and so on %1, none between them</source>
+        <translation>der zweite, der vierte und so weiter %1, keine dazwischen</translation>
+    </message>
+    <message>
+        <source>all before the two circles had hit each other, none after it</source>
+        <translation>alle, bevor die beiden Kreise einander gestoßen hatten, keine danach</translation>
+    </message>
+    <message>
+        <source>all before the circles had hit a wall, none after it</source>
+        <translation>alle, bevor die Kreise eine Wand getroffen hatten, keine danach</translation>
+    </message>
+    <message>
+        <source>all after the circles had hit a wall, none before it</source>
+        <translation>alle, nachdem die Kreise eine Wand getroffen hatten, keine davor</translation>
+    </message>
+    <message>
+        <source>all that moved to the right, no others</source>
+        <translation>alle, die sich nach rechts bewegten, keine anderen</translation>
+    </message>
+    <message>
+        <source>all that moved to the left, no others</source>
+        <translation>alle, die sich nach links bewegten, keine anderen</translation>
+    </message>
+    <message>
+        <source>all that moved upward, no others</source>
+        <translation>alle, die sich nach oben bewegten, keine anderen</translation>
+    </message>
+    <message>
+        <source>all that moved downward, no others</source>
+        <translation>alle, die sich nach unten bewegten, keine anderen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right.</source>
+        <translation>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, ging %n richtig aus.</numerusform>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, gingen %n richtig aus.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, ging %n richtig aus: %2.</numerusform>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, gingen %n richtig aus: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Which of these counts, the tries do not show.</source>
+        <translation>Was davon zählt, zeigen die Versuche nicht.</translation>
+    </message>
+    <message>
+        <source>With every e tried %1 of the speed comes back.</source>
+        <translation>Mit jedem versuchten e kommen %1 des Tempos zurück.</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Aus jedem versuchten Tempo geht er mit %1 m/s weg: Berechne die neue Geschwindigkeit aus der alten.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls leave %who moving outward</source>
+        <translation>Nach Stößen an %walls geht es weiter hinaus (%who)</translation>
+    </message>
+    <message>
+        <source>With every e tried nothing of it is lost.</source>
+        <translation>Mit jedem versuchten e geht nichts davon verloren.</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls are not answered</source>
+        <translation>Manche Stöße an %walls bleiben unbeantwortet (%who)</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls come out wrong</source>
+        <translation>Manche Stöße an %walls gehen falsch aus (%who)</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls are answered too late</source>
+        <translation>Manche Stöße an %walls werden zu spät beantwortet (%who)</translation>
+    </message>
+    <message>
+        <source>This one came out right: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.</source>
+        <translation>Dieser ging richtig aus: Kreis %1 nach %2 s, an %3 bei %4 m mit %5 m/s.</translation>
+    </message>
+    <message>
+        <source>At every wall %who went out</source>
+        <translation>An jeder Wand ging es hinaus (%who)</translation>
+    </message>
+    <message>
+        <source>At the %walls %who went out</source>
+        <translation>An %walls ging es hinaus (%who)</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls leave %who moving outward</source>
+        <translation>Nach langsamen Stößen an %walls geht es weiter hinaus (%who)</translation>
+    </message>
+    <message>
+        <source>The x of %who does not change</source>
+        <translation>x ändert sich nicht (%who)</translation>
+    </message>
+    <message>
+        <source>The y of %who does not change</source>
+        <translation>y ändert sich nicht (%who)</translation>
+    </message>
+    <message>
+        <source>At every timestep tried it goes as far as in %1 s. Take the parameter of `on_update`.</source>
+        <translation>Bei jedem versuchten Zeitschritt kommt er so weit wie in %1 s. Nimm den Parameter von `on_update`.</translation>
+    </message>
+    <message>
+        <source>The velocity has no part in the way of %who</source>
+        <translation>Die Geschwindigkeit hat am Weg keinen Anteil (%who)</translation>
+    </message>
+    <message>
+        <source>A step moves %who nowhere</source>
+        <translation>Ein Schritt bewegt nichts vom Fleck (%who)</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,44 @@
     </message>
 </context>
 <context>
+    <name>Findings</name>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time.</source>
+        <translation>
+            <numerusform>Of %1 meetings tried, %n was answered in time.</numerusform>
+            <numerusform>Of %1 meetings tried, %n were answered in time.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time and along the line of centres: %2.</source>
+        <translation>
+            <numerusform>Of %1 meetings tried, %n was answered in time and along the line of centres: %2.</numerusform>
+            <numerusform>Of %1 meetings tried, %n were answered in time and along the line of centres: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time: %2.</source>
+        <translation>
+            <numerusform>Of %1 meetings tried, %n was answered in time: %2.</numerusform>
+            <numerusform>Of %1 meetings tried, %n were answered in time: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right.</source>
+        <translation>
+            <numerusform>Of %1 tries, early and late, here and there, %n came out right.</numerusform>
+            <numerusform>Of %1 tries, early and late, here and there, %n came out right.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Of %1 tries, early and late, here and there, %n came out right: %2.</numerusform>
+            <numerusform>Of %1 tries, early and late, here and there, %n came out right: %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Grading</name>
     <message numerus="yes">
         <source>Checked %n time(s) while working on it.</source>

@@ -2011,10 +2011,6 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Un nombre tient lieu de r₁ + r₂ dans le test de contact</translation>
     </message>
     <message>
-        <source>Whatever the radii are, they answer at the same distance, between %1 and %2 m.</source>
-        <translation>Quels que soient les rayons, ils réagissent à la même distance, entre %1 et %2 m.</translation>
-    </message>
-    <message>
         <source>The circles answer before they touch</source>
         <translation>Les cercles réagissent avant de se toucher</translation>
     </message>
@@ -2033,10 +2029,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>Nothing happens when it is circle 2 that comes nearer</source>
         <translation>Rien ne se passe quand c&apos;est le cercle 2 qui se rapproche</translation>
-    </message>
-    <message>
-        <source>Not every meeting is answered</source>
-        <translation>Certaines rencontres restent sans réaction</translation>
     </message>
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
@@ -2115,14 +2107,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Un nombre fixe tient lieu de pas de temps dans la chute, pour %who</translation>
     </message>
     <message>
-        <source>Whatever Δt is, gravity acts for %1 s. Take the parameter of `on_update`.</source>
-        <translation>Quel que soit Δt, la pesanteur agit pendant %1 s. Prenez le paramètre de `on_update`.</translation>
-    </message>
-    <message>
-        <source>Gravity does not act on %who</source>
-        <translation>La pesanteur n&apos;agit pas sur %who</translation>
-    </message>
-    <message>
         <source>Look at the signs.</source>
         <translation>Regardez les signes.</translation>
     </message>
@@ -2159,10 +2143,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Dans votre propre scène, le premier pas change la vitesse, pour %who</translation>
     </message>
     <message>
-        <source>%1 g Δt² is asked for.</source>
-        <translation>On demande %1 g Δt².</translation>
-    </message>
-    <message>
         <source>One of these is asked for.</source>
         <translation>L&apos;un de ceux-ci est demandé.</translation>
     </message>
@@ -2179,40 +2159,12 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Le mouvement ne suit aucune méthode connue, pour %who&#xa0;; demandé&#xa0;: %1</translation>
     </message>
     <message>
-        <source>the exact parabola (Verlet, Runge-Kutta 4)</source>
-        <translation>la parabole exacte (Verlet, Runge-Kutta 4)</translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation>Chaque cercle a la méthode de l&apos;autre
-
-Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt²&#xa0;; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation>Les cercles se déplacent selon des méthodes différentes
-
-Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt, et le cercle 2 de %2 a Δt²&#xa0;; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
-    </message>
-    <message>
         <source>Every step puts %who where circle %1 is</source>
         <translation>Chaque pas met %who là où est le cercle %1</translation>
     </message>
     <message>
-        <source>Wherever the two start, one step later they are at the same place. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
-        <translation>Où que les deux démarrent, un pas plus tard ils sont au même endroit. Chaque cercle a sa propre position et sa propre vitesse et continue à partir d&apos;elles&#xa0;: regardez ce que les lignes de l&apos;un prennent à l&apos;autre.</translation>
-    </message>
-    <message>
         <source>The velocity of %who is set anew in every step</source>
         <translation>À chaque pas, la vitesse est redéfinie pour %who</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
-        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et autant pour tout autre départ. Un pas calcule la nouvelle vitesse à partir de celle du cercle, qu&apos;un choc a pu changer&#xa0;; le départ se fixe une fois, dans `on_load`.</translation>
     </message>
     <message>
         <source>The x of the velocity of %who is set anew in every step</source>
@@ -2223,20 +2175,12 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>À chaque pas, le y de la vitesse est redéfini pour %who</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start. A step works each part out from the one that the circle has, and keeps it for the next.</source>
-        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et cette composante est la même pour tout autre départ. Un pas calcule chaque composante à partir de celle du cercle, et la garde pour le suivant.</translation>
-    </message>
-    <message>
         <source>The velocity of circle %1 moves %who</source>
         <translation>La vitesse du cercle %1 déplace %who</translation>
     </message>
     <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>La nouvelle position ne dépend pas de l&apos;ancienne, pour %who</translation>
-    </message>
-    <message>
-        <source>Wherever it starts, after the same two steps it is at the same place. A step *adds* a way to the old position.</source>
-        <translation>Quel que soit le départ, après les deux mêmes pas la position est la même. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
     </message>
     <message>
         <source>The old place of %who is multiplied, too</source>
@@ -2249,14 +2193,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
         <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; v Δt vaut %4 m.</translation>
-    </message>
-    <message>
-        <source>The x of %who never changes</source>
-        <translation>Le x ne change jamais pour %who</translation>
-    </message>
-    <message>
-        <source>The y of %who never changes</source>
-        <translation>Le y ne change jamais pour %who</translation>
     </message>
     <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
@@ -2307,16 +2243,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Un nombre fixe tient lieu de pas de temps dans le chemin, pour %who</translation>
     </message>
     <message>
-        <source>Whatever Δt is, it goes as far as in %1 s. Take the parameter of `on_update`.</source>
-        <translation>Quel que soit Δt, le chemin est celui de %1 s. Prenez le paramètre de `on_update`.</translation>
-    </message>
-    <message>
         <source>Look at the line that changes the position.</source>
         <translation>Regardez la ligne qui change la position.</translation>
-    </message>
-    <message>
-        <source>Nothing moves %who</source>
-        <translation>Rien ne déplace %who</translation>
     </message>
     <message>
         <source>In every step its position gets v Δt added.</source>
@@ -2551,16 +2479,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Un nombre tient lieu de e dans le choc de deux cercles</translation>
     </message>
     <message>
-        <source>Whatever e is, the rebound is that of e = %1.</source>
-        <translation>Quel que soit e, le rebond est celui de e = %1.</translation>
-    </message>
-    <message>
         <source>Numbers stand for e in the hit of two circles</source>
         <translation>Des nombres tiennent lieu de e dans le choc de deux cercles</translation>
-    </message>
-    <message>
-        <source>Whatever e is, circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
-        <translation>Quel que soit e, le cercle 1 réagit comme avec e = %1 et le cercle 2 comme avec e = %2.</translation>
     </message>
     <message>
         <source>A hit acts on both circles.</source>
@@ -2633,10 +2553,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>Both new velocities come from those *before* the hit: look at which lines read a velocity that has been written.</source>
         <translation>Les deux nouvelles vitesses se calculent à partir de celles d&apos;*avant* le choc&#xa0;: regardez quelles lignes lisent une vitesse déjà modifiée.</translation>
-    </message>
-    <message>
-        <source>Of two equal circles the whole velocities change hands, not only the parts along the normal</source>
-        <translation>Entre cercles égaux, les vitesses entières s&apos;échangent, pas seulement les composantes normales</translation>
     </message>
     <message>
         <source>The parts across change hands, and those along the normal stay</source>
@@ -2851,14 +2767,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4, e = %5&#xa0;: </translation>
     </message>
     <message>
-        <source>%1 along, %2 across</source>
-        <translation>(normale %1, tangentielle %2)</translation>
-    </message>
-    <message>
-        <source>Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and %6.</source>
-        <translation>Vitesses en m/s, composante normale (suivant la ligne des centres, de 1 vers 2) et composante tangentielle (perpendiculaire)&#xa0;: le cercle 1 est arrivé avec %1, le cercle 2 avec %2&#xa0;; ils sont repartis avec %3 et avec %4&#xa0;; il faut %5 et %6.</translation>
-    </message>
-    <message>
         <source>e = %1 is not the value that is asked for</source>
         <translation>e = %1 n&apos;est pas la valeur demandée</translation>
     </message>
@@ -2869,10 +2777,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
         <translation>La normale des parois latérales est dirigée suivant x, celle du sol et du plafond suivant y.</translation>
-    </message>
-    <message>
-        <source>Whatever e is, %1 of the speed comes back.</source>
-        <translation>Quel que soit e, les parois rendent %1 fois la vitesse.</translation>
     </message>
     <message>
         <source>Its velocity still points into the wall: look at the sign.</source>
@@ -2931,20 +2835,12 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Après un choc, les cercles se séparent plus vite qu&apos;ils ne se sont rencontrés</translation>
     </message>
     <message>
-        <source>After an elastic hit both circles have the same velocity along the normal</source>
-        <translation>Après un choc élastique, les deux cercles ont la même vitesse le long de la normale</translation>
-    </message>
-    <message>
         <source>Something away from every wall changes the velocity of %who</source>
         <translation>Loin de toute paroi, quelque chose change la vitesse, pour %who</translation>
     </message>
     <message>
         <source>The velocity of %who is taken from circle %1</source>
         <translation>La vitesse vient du cercle %1, pour %who</translation>
-    </message>
-    <message>
-        <source>Whatever its own velocity was, one step later it has what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>Quelle qu&apos;ait été sa propre vitesse, un pas plus tard elle est celle du cercle %1, plus ce que la pesanteur ajoute&#xa0;: de %2 m/s au départ, elle passe à %3 m/s. Chaque cercle part de sa propre vitesse&#xa0;: regardez les noms dans la ligne qui la change.</translation>
     </message>
     <message>
         <source>Away from every wall a low speed of %who is taken away</source>
@@ -2997,10 +2893,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>La durée d&apos;un pas est le paramètre de `on_update`&#xa0;; `time` est le temps depuis le départ, et `step` compte les pas.</translation>
-    </message>
-    <message>
-        <source>The velocity does not move %who</source>
-        <translation>La vitesse ne déplace pas %who</translation>
     </message>
     <message>
         <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
@@ -3147,82 +3039,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a fait demi-tour quand son bord en était distant de %4 à %5 m&#xa0;; à %6 m/s, de %7 à %8 m. C&apos;est le chemin d&apos;une seconde&#xa0;: un pas le fait avancer de v Δt, pas de v.</translation>
     </message>
     <message>
-        <source>Gravity acts on %who as it should only %1</source>
-        <translation>La pesanteur n&apos;agit comme il faut, pour %who, que %1</translation>
-    </message>
-    <message>
-        <source>The velocity of %who changes as it should only %1</source>
-        <translation>La vitesse ne change comme il faut que %1 (%who)</translation>
-    </message>
-    <message>
-        <source>the first time</source>
-        <translation>la première fois</translation>
-    </message>
-    <message>
-        <source>from the second time on</source>
-        <translation>à partir de la deuxième fois</translation>
-    </message>
-    <message>
-        <source>the first time, the third, and so on</source>
-        <translation>la première fois, la troisième, et ainsi de suite</translation>
-    </message>
-    <message>
-        <source>every second time</source>
-        <translation>une fois sur deux</translation>
-    </message>
-    <message>
-        <source>when the last one is long past</source>
-        <translation>quand le dernier remonte à longtemps</translation>
-    </message>
-    <message>
-        <source>until the circles have hit each other</source>
-        <translation>jusqu&apos;à ce que les cercles se soient heurtés</translation>
-    </message>
-    <message>
-        <source>up to a time between %1 and %2 s</source>
-        <translation>jusqu&apos;à un instant entre %1 et %2 s</translation>
-    </message>
-    <message>
-        <source>from a time between %1 and %2 s on</source>
-        <translation>à partir d&apos;un instant entre %1 et %2 s</translation>
-    </message>
-    <message>
-        <source>above a height between y = %1 and %2 m</source>
-        <translation>au-dessus d&apos;une hauteur entre y = %1 et %2 m</translation>
-    </message>
-    <message>
-        <source>below a height between y = %1 and %2 m</source>
-        <translation>au-dessous d&apos;une hauteur entre y = %1 et %2 m</translation>
-    </message>
-    <message>
-        <source>to the left of a place between x = %1 and %2 m</source>
-        <translation>à gauche d&apos;un endroit entre x = %1 et %2 m</translation>
-    </message>
-    <message>
-        <source>to the right of a place between x = %1 and %2 m</source>
-        <translation>à droite d&apos;un endroit entre x = %1 et %2 m</translation>
-    </message>
-    <message>
-        <source>up to a speed between %1 and %2 m/s</source>
-        <translation>jusqu&apos;à une vitesse entre %1 et %2 m/s</translation>
-    </message>
-    <message>
-        <source>from a speed between %1 and %2 m/s on</source>
-        <translation>à partir d&apos;une vitesse entre %1 et %2 m/s</translation>
-    </message>
-    <message>
-        <source>at times</source>
-        <translation>parfois</translation>
-    </message>
-    <message>
-        <source>Hits of the two circles are answered only %1</source>
-        <translation>Les chocs des deux cercles n&apos;ont de réponse que %1</translation>
-    </message>
-    <message>
-        <source>Hits of the two circles come out right only %1</source>
-        <translation>Les chocs des deux cercles ne se passent bien que %1</translation>
-    </message>
-    <message>
         <source>Beside a wall the velocity of both circles changes at once</source>
         <translation>Près d&apos;une paroi, la vitesse des deux cercles change en même temps</translation>
     </message>
@@ -3267,18 +3083,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Ils sont loin l&apos;un de l&apos;autre. Regardez ce que les lignes qui déplacent un cercle prennent d&apos;un autre, et ce qui est demandé avant elles.</translation>
     </message>
     <message>
-        <source>Of %1 arrivals at walls, here and there, early and late, %2 came out right.</source>
-        <translation>Sur %1 arrivées contre des parois, ici et là, tôt et tard, %2 se sont bien passées.</translation>
-    </message>
-    <message>
-        <source>Of %1 hits of the two circles, here and there, early and late, %2 came out right.</source>
-        <translation>Sur %1 chocs des deux cercles, ici et là, tôt et tard, %2 se sont bien passés.</translation>
-    </message>
-    <message>
-        <source>Look at what is asked before the lines that do it, and at what your program keeps from one step to the next.</source>
-        <translation>Regardez ce qui est demandé avant les lignes qui le font, et ce que votre programme garde d&apos;un pas à l&apos;autre.</translation>
-    </message>
-    <message>
         <source>What gravity adds to the way of %who goes with Δt, not with Δt²</source>
         <translation>Ce que la pesanteur ajoute au chemin varie comme Δt, et non comme Δt², pour %who</translation>
     </message>
@@ -3291,16 +3095,8 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>Chaque pas ajoute à v Δt un chemin fixe, pour %who</translation>
     </message>
     <message>
-        <source>Whatever Δt, gravity and its velocity are, it goes on by %1 m besides. Look at what is added to the position.</source>
-        <translation>Quels que soient Δt, la pesanteur et la vitesse, %1 m s&apos;y ajoutent. Regardez ce qui est ajouté à la position.</translation>
-    </message>
-    <message>
         <source>Something besides its own velocity moves %who</source>
         <translation>Outre la vitesse propre, quelque chose déplace %who</translation>
-    </message>
-    <message>
-        <source>Whatever gravity and its velocity are, it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
-        <translation>Quelles que soient la pesanteur et la vitesse, %1 m/s fois Δt s&apos;y ajoutent. Regardez ce qui est ajouté à la position.</translation>
     </message>
     <message>
         <source>What a step adds to the way of %who besides v Δt is no method&apos;s</source>
@@ -3343,14 +3139,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
         <translation>À chaque pas, la pesanteur doit changer la vitesse&#xa0;: cherchez la ligne qui le fait, et ce qui est demandé avant elle.</translation>
     </message>
     <message>
-        <source>The way of %who in a step is v Δt only %1</source>
-        <translation>Le chemin d&apos;un pas n&apos;est v Δt que %1, pour %who</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².</source>
-        <translation>Sous la pesanteur %1 m/s², il avance en un pas de %2 g Δt² outre v Δt. Euler le déplace avec l&apos;ancienne vitesse, de 0 g Δt²&#xa0;; Euler symplectique avec la nouvelle, de 1 g Δt²&#xa0;; les méthodes exactes de ½ g Δt².</translation>
-    </message>
-    <message>
         <source>The velocity of %who changes although it touches nothing</source>
         <translation>La vitesse change sans rien toucher, pour %who</translation>
     </message>
@@ -3365,10 +3153,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>A faster one goes on as it should.</source>
         <translation>Un cercle plus rapide continue comme il faut.</translation>
-    </message>
-    <message>
-        <source>How the velocity of %who changes depends on the velocity otherwise than asked</source>
-        <translation>Le changement de la vitesse dépend d&apos;elle autrement que demandé, pour %who</translation>
     </message>
     <message>
         <source>Look at what the lines that change the velocity take, and at what is asked before them.</source>
@@ -3389,10 +3173,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 a Δt² en plus de v Δt,
     <message>
         <source>The velocity of %who changes by itself otherwise than asked</source>
         <translation>La vitesse agit sur elle-même autrement que demandé, pour %who</translation>
-    </message>
-    <message>
-        <source>Far from everything the velocity of %who turns round in every step</source>
-        <translation>Loin de tout, la vitesse se retourne à chaque pas, pour %who</translation>
     </message>
     <message>
         <source>It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near that it could hit. Look at the lines that turn it, and at what is asked before them: is it true although nothing touches?</source>
@@ -3467,28 +3247,12 @@ C&apos;est ainsi au début de l&apos;exécution.</translation>
         <translation>Chaque pas part de la position du cercle %1, pour %who</translation>
     </message>
     <message>
-        <source>Wherever the two start, one step later they are near each other. Each circle goes on from its own place: look at the names in the line that moves it.</source>
-        <translation>Où que les deux partent, un pas plus tard ils sont l&apos;un près de l&apos;autre. Chaque cercle continue depuis sa propre position&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, its velocity changes by %2 m/s in the second step of %3 s; with every other circle at rest and elsewhere by %4 m/s.</source>
         <translation>Parti à %1 m/s, il change sa vitesse de %2 m/s au deuxième pas de %3 s&#xa0;; si tous les autres cercles sont ailleurs et au repos, de %4 m/s.</translation>
     </message>
     <message>
         <source>The acceleration of %who is opposite to gravity</source>
         <translation>L&apos;accélération est opposée à la pesanteur, pour %who</translation>
-    </message>
-    <message>
-        <source>The motion of %who is %1 only %2</source>
-        <translation>Le mouvement n&apos;est %1 que %2, pour %who</translation>
-    </message>
-    <message>
-        <source>until it has hit a wall</source>
-        <translation>jusqu&apos;à ce qu&apos;il ait touché une paroi</translation>
-    </message>
-    <message>
-        <source>after it has hit a wall</source>
-        <translation>après avoir touché une paroi</translation>
     </message>
     <message>
         <source>Nothing changes the velocity of circle %1
@@ -3509,54 +3273,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
         <translation>Outre v Δt, il avance de %1 g Δt² là où sa vitesse est de %2 m/s, et de %3 g Δt² là où elle est de %4 m/s. Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes ½ g Δt². Regardez ce qui est demandé avant les lignes qui le déplacent.</translation>
-    </message>
-    <message>
-        <source>Of %1 steps of free flight, here and there, early and late, %2 came out right.</source>
-        <translation>Sur %1 pas de vol libre, ici et là, tôt et tard, %2 se sont bien passés.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
-        <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a changé sa vitesse de %4 m/s en un pas de %5 s&#xa0;; il faut %6 m/s.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; %6 m is right.</source>
-        <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; il faut %6 m.</translation>
-    </message>
-    <message>
-        <source>At %1 s of its run circle %2, at %3 m and far from all others, went %4 m in a step of %5 s; by that method it is %6 m.</source>
-        <translation>À %1 s de son exécution, le cercle %2, à %3 m et loin de tous les autres, a avancé de %4 m en un pas de %5 s&#xa0;; par cette méthode, c&apos;est %6 m.</translation>
-    </message>
-    <message>
-        <source>with a velocity that points right</source>
-        <translation>avec une vitesse dirigée vers la droite</translation>
-    </message>
-    <message>
-        <source>with a velocity that points left</source>
-        <translation>avec une vitesse dirigée vers la gauche</translation>
-    </message>
-    <message>
-        <source>with a velocity that points up</source>
-        <translation>avec une vitesse dirigée vers le haut</translation>
-    </message>
-    <message>
-        <source>with a velocity that points down</source>
-        <translation>avec une vitesse dirigée vers le bas</translation>
-    </message>
-    <message>
-        <source>up to a speed into the wall between %1 and %2 m/s</source>
-        <translation>jusqu&apos;à une vitesse vers la paroi entre %1 et %2 m/s</translation>
-    </message>
-    <message>
-        <source>from a speed into the wall between %1 and %2 m/s on</source>
-        <translation>à partir d&apos;une vitesse vers la paroi entre %1 et %2 m/s</translation>
-    </message>
-    <message>
-        <source>up to a speed along the wall between %1 and %2 m/s</source>
-        <translation>jusqu&apos;à une vitesse le long de la paroi entre %1 et %2 m/s</translation>
-    </message>
-    <message>
-        <source>from a speed along the wall between %1 and %2 m/s on</source>
-        <translation>à partir d&apos;une vitesse le long de la paroi entre %1 et %2 m/s</translation>
     </message>
     <message>
         <source>Where nothing rubs, a push points along the normal only.</source>
@@ -3623,14 +3339,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Les chocs contre %walls imposent une vitesse fixe, pour %who</translation>
     </message>
     <message>
-        <source>However fast it comes, it leaves with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>Quelle que soit sa vitesse d&apos;arrivée, il repart à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls do not turn %who round</source>
-        <translation>Les chocs contre %walls ne renvoient pas %who</translation>
-    </message>
-    <message>
         <source>Hits at the %walls do not give %who e times the speed back</source>
         <translation>Les chocs contre %walls ne rendent pas e fois la vitesse, pour %who</translation>
     </message>
@@ -3657,10 +3365,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>Hits at the %walls give %who all of the speed back</source>
         <translation>Les chocs contre %walls rendent toute la vitesse, pour %who</translation>
-    </message>
-    <message>
-        <source>Whatever e is, nothing of it is lost.</source>
-        <translation>Quel que soit e, rien n&apos;en est perdu.</translation>
     </message>
     <message>
         <source>At the %walls e acts on %who twice</source>
@@ -3702,36 +3406,16 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>%1 et %2</translation>
     </message>
     <message>
-        <source>Hits at the %walls turn %who round only %1</source>
-        <translation>Les chocs contre %walls ne renvoient %who que %1</translation>
-    </message>
-    <message>
-        <source>Hits of %who at the %walls come out right only %1</source>
-        <translation>Les chocs contre %walls ne se passent bien que %1 (%who)</translation>
-    </message>
-    <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and went on past it at first.</source>
         <translation>Après %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, à %5 m/s, et a d&apos;abord continué au-delà.</translation>
     </message>
     <message>
-        <source>That at %1 s of circle %2 came out right: at the %3 at %4 m with %5 m/s.</source>
-        <translation>Celui à %1 s du cercle %2 s&apos;est bien passé&#xa0;: contre %3 à %4 m, à %5 m/s.</translation>
-    </message>
-    <message>
-        <source>No wall turns %who round</source>
-        <translation>Aucune paroi ne renvoie %who</translation>
-    </message>
-    <message>
         <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
-        <translation>Lancé contre chacune, voici ce qui l&apos;a traversée&#xa0;: %who&#xa0;; contre %1 avec %2 m/s. Regardez ce qui est demandé après le déplacement, et si la réponse est parfois oui.</translation>
-    </message>
-    <message>
-        <source>Nothing turns %who round at the %walls</source>
-        <translation>Rien ne renvoie %who contre %walls</translation>
+        <translation>Lancé contre chacune, on passe au travers (%who)&#xa0;; contre %1, à %2 m/s. Regardez ce qui est demandé après le déplacement, et si la réponse est parfois oui.</translation>
     </message>
     <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
-        <translation>Lancé vers %1 avec %2 m/s, le cercle %3 a continué au-delà. Regardez ce que votre programme demande pour elle, et si la réponse est parfois oui.</translation>
+        <translation>Lancé vers %1 à %2 m/s, le cercle %3 a continué au-delà. Regardez ce que votre programme demande pour elle, et si la réponse est parfois oui.</translation>
     </message>
     <message>
         <source>Hits at the %walls turn %who round only at times</source>
@@ -3739,7 +3423,7 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     </message>
     <message>
         <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
-        <translation>Lancé vers %1 avec %2 m/s depuis %3 m, le cercle %4 a continué au-delà&#xa0;; avec %5 m/s depuis %6 m, il est renvoyé. Regardez ce que votre programme demande en plus&#xa0;: il suffit que le bord soit au-delà de la paroi et que le cercle aille vers elle.</translation>
+        <translation>Lancé vers %1 à %2 m/s depuis %3 m, le cercle %4 a continué au-delà&#xa0;; à %5 m/s depuis %6 m, il est renvoyé. Regardez ce que votre programme demande en plus&#xa0;: il suffit que le bord soit au-delà de la paroi et que le cercle aille vers elle.</translation>
     </message>
     <message>
         <source>Hits at the %walls turn %who round too early</source>
@@ -3788,10 +3472,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>Hits at the %walls turn %who round at the wrong place</source>
         <translation>Les chocs contre %walls renvoient %who au mauvais endroit</translation>
-    </message>
-    <message>
-        <source>Slow hits at the %walls do not turn %who round</source>
-        <translation>Les chocs lents contre %walls ne renvoient pas %who</translation>
     </message>
     <message>
         <source>Slow hits at the %walls give %who another share of the speed back</source>
@@ -3866,52 +3546,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
     </message>
     <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, and along the line of centres, those and no others.</source>
-        <translation>Sur %1 rencontres de toutes sortes, %2 ont eu leur réponse quand les bords se sont touchés, et le long de la ligne des centres, celles-là et aucune autre.</translation>
-    </message>
-    <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met, those and no others.</source>
-        <translation>Sur %1 rencontres de toutes sortes, %2 ont eu leur réponse quand les bords se sont touchés, celles-là et aucune autre.</translation>
-    </message>
-    <message>
-        <source>Of %1 meetings of all kinds %2 were answered by the time that the rims met.</source>
-        <translation>Sur %1 rencontres de toutes sortes, %2 ont eu leur réponse quand les bords se sont touchés.</translation>
-    </message>
-    <message>
-        <source>One that was not: %1.</source>
-        <translation>Une qui n&apos;en a pas eu&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>One that was: %1.</source>
-        <translation>Une qui en a eu&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>Look at what changes from one side to the other, such as the sign of a difference of two positions, and an angle that is worked out from it.</source>
-        <translation>Regardez ce qui change d&apos;un côté à l&apos;autre, comme le signe d&apos;une différence de deux positions et un angle qui en est calculé.</translation>
-    </message>
-    <message>
-        <source>What counts is whether they overlap, and whether the velocity of one relative to the other closes the gap along the line of centres.</source>
-        <translation>Ce qui compte, c&apos;est s&apos;ils se recouvrent, et si la vitesse de l&apos;un par rapport à l&apos;autre les rapproche le long de la ligne des centres.</translation>
-    </message>
-    <message>
-        <source>Hits come out right only %1</source>
-        <translation>Les chocs ne donnent le bon résultat que %1</translation>
-    </message>
-    <message>
-        <source>Hits are answered in time only %1</source>
-        <translation>Les chocs n&apos;ont de réponse à temps que %1</translation>
-    </message>
-    <message>
-        <source>Hits are answered only %1</source>
-        <translation>Les chocs n&apos;ont de réponse que %1</translation>
-    </message>
-    <message>
         <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
         <translation>le cercle 1 arrivait à %1 m/s, le cercle 2 à %2 m/s</translation>
-    </message>
-    <message>
-        <source>their line of centres, from 1 to 2, at %1°</source>
-        <translation>la ligne de leurs centres, de 1 vers 2, à %1°</translation>
     </message>
     <message>
         <source>near %1 m</source>
@@ -4051,23 +3687,19 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     </message>
     <message>
         <source>both are equally dense</source>
-        <translation>les deux sont de même densité</translation>
-    </message>
-    <message>
-        <source>where %1</source>
-        <translation>là où %1</translation>
+        <translation>les deux ont la même masse volumique</translation>
     </message>
     <message>
         <source>Circle 2 was hit, was back from the wall close behind it within a few steps and ran into circle 1 without an answer; from a wall farther off it gets one. What counts is whether they overlap and come nearer, not when the last hit was, nor whether a wall is near.</source>
-        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et est entré dans le cercle 1 sans réponse&#xa0;; depuis une paroi plus éloignée il en a une. Ce qui compte, c&apos;est s&apos;ils se recouvrent et se rapprochent, non quand le dernier choc a eu lieu ni si une paroi est proche.</translation>
+        <translation>Le cercle 2 a été heurté, est revenu en quelques pas de la paroi toute proche derrière lui et est entré dans le cercle 1 sans réponse&#xa0;; depuis une paroi plus éloignée il en a une. Ce qui compte, c&apos;est s&apos;ils se chevauchent et se rapprochent, non quand le dernier choc a eu lieu ni si une paroi est proche.</translation>
     </message>
     <message>
         <source>Circle 2 was hit, came back from the wall behind it and ran through circle 1. What counts is whether they overlap and come nearer: look at what else is asked, and at what your program keeps of a hit.</source>
-        <translation>Le cercle 2 a été heurté, est revenu de la paroi derrière lui et a traversé le cercle 1. Ce qui compte, c&apos;est s&apos;ils se recouvrent et se rapprochent&#xa0;: regardez ce qui est demandé en plus, et ce que votre programme garde d&apos;un choc.</translation>
+        <translation>Le cercle 2 a été heurté, est revenu de la paroi derrière lui et a traversé le cercle 1. Ce qui compte, c&apos;est s&apos;ils se chevauchent et se rapprochent&#xa0;: regardez ce qui est demandé en plus, et ce que votre programme garde d&apos;un choc.</translation>
     </message>
     <message>
         <source>In all these hits the new part of circle %1 along that line was %2 times that of circle 1 before the hit and %3 times that of circle 2; right is %4 and %5 times.</source>
-        <translation>Dans tous ces chocs, la nouvelle part du cercle %1 le long de cette ligne valait %2 fois celle du cercle 1 avant le choc et %3 fois celle du cercle 2&#xa0;; il faut %4 et %5 fois.</translation>
+        <translation>Dans tous ces chocs, la nouvelle composante du cercle %1 le long de cette ligne valait %2 fois celle du cercle 1 avant le choc et %3 fois celle du cercle 2&#xa0;; il faut %4 et %5 fois.</translation>
     </message>
     <message>
         <source>The push has a wrong size that depends on the radius</source>
@@ -4094,10 +3726,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Avec un pas de temps de %1 s, la poussée vaut %2 fois ce qu&apos;elle devrait, et avec %3 s environ %4 fois.</translation>
     </message>
     <message>
-        <source>%1, in the new velocity of circle %2 alone</source>
-        <translation>%1, dans la nouvelle vitesse du cercle %2 seulement</translation>
-    </message>
-    <message>
         <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
         <translation>Le cercle %1 repart d&apos;un choc comme il faut, le cercle %2 non</translation>
     </message>
@@ -4118,8 +3746,407 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Un choc change la composante du cercle %1 perpendiculaire à la ligne des centres</translation>
     </message>
     <message>
-        <source>Of the %1 meetings that were tried %2 were answered in time.</source>
-        <translation>Sur les %1 rencontres essayées, %2 ont reçu une réponse à temps.</translation>
+        <source>From every start tried the two are at the same place one step later. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
+        <translation>Depuis chaque départ essayé, les deux sont au même endroit un pas plus tard. Chaque cercle a sa propre position et sa propre vitesse et continue à partir d&apos;elles&#xa0;: regardez ce que les lignes de l&apos;un prennent à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>With every velocity tried it has one step later what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>Avec chaque vitesse essayée, elle est un pas plus tard celle du cercle %1, plus ce que la pesanteur ajoute&#xa0;: de %2 m/s au départ, elle passe à %3 m/s. Chaque cercle part de sa propre vitesse&#xa0;: regardez les noms dans la ligne qui la change.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
+        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et autant pour tout autre départ essayé. Un pas calcule la nouvelle vitesse à partir de celle du cercle, qu&apos;un choc a pu changer&#xa0;; le départ se fixe une fois, dans `on_load`.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and that part is the same from every other start tried. A step works each part out from the one that the circle has, and keeps it for the next.</source>
+        <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et cette composante est la même pour tout autre départ essayé. Un pas calcule chaque composante à partir de celle du cercle, et la garde pour le suivant.</translation>
+    </message>
+    <message>
+        <source>From every start tried the two are near each other one step later. Each circle goes on from its own place: look at the names in the line that moves it.</source>
+        <translation>Depuis chaque départ essayé, les deux sont un pas plus tard l&apos;un près de l&apos;autre. Chaque cercle continue depuis sa propre position&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
+    </message>
+    <message>
+        <source>From every start tried it is at the same place after the same two steps. A step *adds* a way to the old position.</source>
+        <translation>Depuis chaque départ essayé, la position est la même après les deux mêmes pas. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks there, and at what it keeps from one step to the next.</source>
+        <translation>Regardez ce que votre programme demande à cet endroit, et ce qu&apos;il garde d&apos;un pas à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>With all radii tried they answer at the same distance, between %1 and %2 m.</source>
+        <translation>Avec tous les rayons essayés, ils réagissent à la même distance, entre %1 et %2 m.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time.</source>
+        <translation>
+            <numerusform>Sur %1 essais de rencontre, %n a reçu une réponse à temps.</numerusform>
+            <numerusform>Sur %1 essais de rencontre, %n ont reçu une réponse à temps.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This one came out wrong: %1.</source>
+        <translation>Cette rencontre s&apos;est mal passée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>This one came out right: %1.</source>
+        <translation>Cette rencontre s&apos;est bien passée&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Look at what changes from one side to the other: the sign of a difference, or an angle.</source>
+        <translation>Regardez ce qui change d&apos;un côté à l&apos;autre&#xa0;: le signe d&apos;une différence, ou un angle.</translation>
+    </message>
+    <message>
+        <source>A hit is due where they overlap and come nearer along the line of centres, and nowhere else.</source>
+        <translation>Un choc a lieu là où ils se chevauchent et se rapprochent le long de la ligne des centres, et nulle part ailleurs.</translation>
+    </message>
+    <message>
+        <source>Some hits do not act along the line of centres</source>
+        <translation>Certains chocs n&apos;agissent pas le long de la ligne des centres</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles are answered too late</source>
+        <translation>Certains chocs des deux cercles reçoivent une réponse trop tard</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles are not answered</source>
+        <translation>Certains chocs des deux cercles restent sans réponse</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time and along the line of centres: %2.</source>
+        <translation>
+            <numerusform>Sur %1 essais de rencontre, %n a reçu une réponse à temps et le long de la ligne des centres&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 essais de rencontre, %n ont reçu une réponse à temps et le long de la ligne des centres&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered in time: %2.</source>
+        <translation>
+            <numerusform>Sur %1 essais de rencontre, %n a reçu une réponse à temps&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 essais de rencontre, %n ont reçu une réponse à temps&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>their line of centres at %1°</source>
+        <translation>la ligne de leurs centres à %1°</translation>
+    </message>
+    <message>
+        <source>At every timestep, gravity and velocity tried it goes on by %1 m besides. Look at what is added to the position.</source>
+        <translation>Avec chaque Δt, chaque pesanteur et chaque vitesse essayés, %1 m s&apos;y ajoutent. Regardez ce qui est ajouté à la position.</translation>
+    </message>
+    <message>
+        <source>At every gravity and velocity tried it goes on by %1 m/s times Δt besides. Look at what is added to the position.</source>
+        <translation>Avec chaque pesanteur et chaque vitesse essayées, %1 m/s fois Δt s&apos;y ajoutent. Regardez ce qui est ajouté à la position.</translation>
+    </message>
+    <message>
+        <source>At every timestep tried gravity acts for %1 s. Take the parameter of `on_update`.</source>
+        <translation>À chaque pas de temps essayé, la pesanteur agit pendant %1 s. Prenez le paramètre de `on_update`.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves %who alone</source>
+        <translation>La pesanteur n&apos;agit pas (%who)</translation>
+    </message>
+    <message>
+        <source>At times gravity acts wrongly on %who</source>
+        <translation>Parfois la pesanteur agit mal (%who)</translation>
+    </message>
+    <message>
+        <source>At times the velocity of %who changes wrongly</source>
+        <translation>Parfois la vitesse change mal (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, changed its velocity by %4 m/s in a step of %5 s; %6 m/s is right.</source>
+        <translation>À %1 s de son exécution, le cercle %2, à %3 m et sans rien toucher, a changé sa vitesse de %4 m/s en un pas de %5 s&#xa0;; il faut %6 m/s.</translation>
+    </message>
+    <message>
+        <source>At times the way of %who in a step is not v Δt</source>
+        <translation>Parfois le chemin d&apos;un pas n&apos;est pas v Δt (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, went %4 m in a step of %5 s; %6 m is right.</source>
+        <translation>À %1 s de son exécution, le cercle %2, à %3 m et sans rien toucher, a avancé de %4 m en un pas de %5 s&#xa0;; il faut %6 m.</translation>
+    </message>
+    <message>
+        <source>At times the motion of %who is not %1</source>
+        <translation>Parfois le mouvement n&apos;est pas %1 (%who)</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run circle %2, at %3 m and touching nothing, went %4 m in a step of %5 s; by that method it is %6 m.</source>
+        <translation>À %1 s de son exécution, le cercle %2, à %3 m et sans rien toucher, a avancé de %4 m en un pas de %5 s&#xa0;; par cette méthode, c&apos;est %6 m.</translation>
+    </message>
+    <message>
+        <source>v Δt + %1 g Δt² is asked for.</source>
+        <translation>Il faut v Δt + %1 g Δt².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt².</source>
+        <translation>Sous la pesanteur %1 m/s², il avance de v Δt + %2 g Δt² en un pas, v étant celle d&apos;avant. Euler ajoute 0 à v Δt, Euler symplectique g Δt², les méthodes exactes (Verlet, Runge-Kutta 4) ½ g Δt².</translation>
+    </message>
+    <message>
+        <source>the exact parabola</source>
+        <translation>la parabole exacte</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>Chaque cercle a la méthode de l&apos;autre
+
+Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt, et le cercle 2 de %2 g Δt²&#xa0;; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both need the same. Look at which lines move which circle.</source>
+        <translation>Les cercles se déplacent selon des méthodes différentes
+
+Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt, et le cercle 2 de %2 g Δt²&#xa0;; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
+    </message>
+    <message>
+        <source>The acceleration of %who depends wrongly on the velocity</source>
+        <translation>L&apos;accélération dépend mal de la vitesse (%who)</translation>
+    </message>
+    <message>
+        <source>Far from everything the velocity of %who turns round</source>
+        <translation>Loin de tout, la vitesse se retourne (%who)</translation>
+    </message>
+    <message>
+        <source>%1, where circle %2 was</source>
+        <translation>%1, là où était le cercle %2</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>ceux où %1, pas d&apos;autres</translation>
+    </message>
+    <message>
+        <source>Some hits of the two circles come out wrong</source>
+        <translation>Certains chocs des deux cercles se passent mal</translation>
+    </message>
+    <message>
+        <source>%1, for circle %2 alone</source>
+        <translation>%1, pour le seul cercle %2</translation>
+    </message>
+    <message>
+        <source>With every e tried the rebound is that of e = %1.</source>
+        <translation>Avec chaque e essayé, le rebond est celui de e = %1.</translation>
+    </message>
+    <message>
+        <source>With every e tried circle 1 answers as with e = %1 and circle 2 as with e = %2.</source>
+        <translation>Avec chaque e essayé, le cercle 1 répond comme avec e = %1 et le cercle 2 comme avec e = %2.</translation>
+    </message>
+    <message>
+        <source>Two equal circles exchange their whole velocities</source>
+        <translation>Deux cercles égaux échangent leurs vitesses entières</translation>
+    </message>
+    <message>
+        <source>After an elastic hit the circles do not part</source>
+        <translation>Après un choc élastique, les cercles ne se séparent pas</translation>
+    </message>
+    <message>
+        <source>Along the line of centres, from 1 to 2, circle 1 came with %1 m/s and circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right.</source>
+        <translation>Le long de la ligne des centres, de 1 vers 2, le cercle 1 arrivait à %1 m/s et le cercle 2 à %2 m/s&#xa0;; ils sont repartis à %3 et %4&#xa0;; il faut %5 et %6.</translation>
+    </message>
+    <message>
+        <source>Across the line of centres circle 1 came with %1 m/s and circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right.</source>
+        <translation>Perpendiculairement à la ligne des centres, le cercle 1 arrivait à %1 m/s et le cercle 2 à %2 m/s&#xa0;; ils sont repartis à %3 et %4&#xa0;; il faut %5 et %6.</translation>
+    </message>
+    <message>
+        <source>of each circle in a run</source>
+        <translation>de chaque cercle d&apos;une exécution</translation>
+    </message>
+    <message>
+        <source>of each circle at each wall in a run</source>
+        <translation>de chaque cercle contre chaque paroi d&apos;une exécution</translation>
+    </message>
+    <message>
+        <source>in a run</source>
+        <translation>d&apos;une exécution</translation>
+    </message>
+    <message>
+        <source>all that came %1 s or more after the one before, none that came within %2 s</source>
+        <translation>tous ceux venus %1 s ou plus après le précédent, aucun venu dans les %2 s</translation>
+    </message>
+    <message>
+        <source>all up to %1 s of a run, none from %2 s on</source>
+        <translation>tous jusqu&apos;à %1 s d&apos;une exécution, aucun à partir de %2 s</translation>
+    </message>
+    <message>
+        <source>all from %1 s of a run on, none up to %2 s</source>
+        <translation>tous à partir de %1 s d&apos;une exécution, aucun jusqu&apos;à %2 s</translation>
+    </message>
+    <message>
+        <source>all at y = %1 m and above, none at y = %2 m and below</source>
+        <translation>tous à y = %1 m et au-dessus, aucun à y = %2 m et en dessous</translation>
+    </message>
+    <message>
+        <source>all at y = %1 m and below, none at y = %2 m and above</source>
+        <translation>tous à y = %1 m et en dessous, aucun à y = %2 m et au-dessus</translation>
+    </message>
+    <message>
+        <source>all at x = %1 m and left of it, none at x = %2 m and right of it</source>
+        <translation>tous à x = %1 m et à gauche, aucun à x = %2 m et à droite</translation>
+    </message>
+    <message>
+        <source>all at x = %1 m and right of it, none at x = %2 m and left of it</source>
+        <translation>tous à x = %1 m et à droite, aucun à x = %2 m et à gauche</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s, none with %2 m/s or more</source>
+        <translation>tous à %1 m/s au plus, aucun à %2 m/s ou plus</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more, none with up to %2 m/s</source>
+        <translation>tous à %1 m/s ou plus, aucun à %2 m/s au plus</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s into the wall, none with %2 m/s or more</source>
+        <translation>tous à %1 m/s au plus vers la paroi, aucun à %2 m/s ou plus</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more into the wall, none with up to %2 m/s</source>
+        <translation>tous à %1 m/s ou plus vers la paroi, aucun à %2 m/s au plus</translation>
+    </message>
+    <message>
+        <source>all with up to %1 m/s along the wall, none with %2 m/s or more</source>
+        <translation>tous à %1 m/s au plus le long de la paroi, aucun à %2 m/s ou plus</translation>
+    </message>
+    <message>
+        <source>all with %1 m/s or more along the wall, none with up to %2 m/s</source>
+        <translation>tous à %1 m/s ou plus le long de la paroi, aucun à %2 m/s au plus</translation>
+    </message>
+    <message>
+        <source>the first %1, none of the later ones</source>
+        <translation>le premier %1, aucun des suivants</translation>
+    </message>
+    <message>
+        <source>all but the first %1</source>
+        <translation>tous sauf le premier %1</translation>
+    </message>
+    <message>
+        <source>all up to number %1, none from number %2 on, counted %3</source>
+        <translation>tous jusqu&apos;au numéro %1, aucun à partir du numéro %2, en comptant ceux %3</translation>
+    </message>
+    <message>
+        <source>all from number %1 on, none up to number %2, counted %3</source>
+        <translation>tous à partir du numéro %1, aucun jusqu&apos;au numéro %2, en comptant ceux %3</translation>
+    </message>
+    <message>
+        <source>the first, the third and so on %1, none between them</source>
+        <translation>le premier, le troisième et ainsi de suite %1, aucun entre eux</translation>
+    </message>
+    <message>
+        <source>the second, the fourth and so on %1, none between them</source>
+        <translation>le deuxième, le quatrième et ainsi de suite %1, aucun entre eux</translation>
+    </message>
+    <message>
+        <source>all before the two circles had hit each other, none after it</source>
+        <translation>tous avant que les deux cercles se soient heurtés, aucun après</translation>
+    </message>
+    <message>
+        <source>all before the circles had hit a wall, none after it</source>
+        <translation>tous avant que les cercles aient heurté une paroi, aucun après</translation>
+    </message>
+    <message>
+        <source>all after the circles had hit a wall, none before it</source>
+        <translation>tous après que les cercles ont heurté une paroi, aucun avant</translation>
+    </message>
+    <message>
+        <source>all that moved to the right, no others</source>
+        <translation>tous ceux qui allaient vers la droite, pas d&apos;autres</translation>
+    </message>
+    <message>
+        <source>all that moved to the left, no others</source>
+        <translation>tous ceux qui allaient vers la gauche, pas d&apos;autres</translation>
+    </message>
+    <message>
+        <source>all that moved upward, no others</source>
+        <translation>tous ceux qui montaient, pas d&apos;autres</translation>
+    </message>
+    <message>
+        <source>all that moved downward, no others</source>
+        <translation>tous ceux qui descendaient, pas d&apos;autres</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right.</source>
+        <translation>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n s&apos;est bien passé.</numerusform>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n se sont bien passés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n s&apos;est bien passé&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n se sont bien passés&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Which of these counts, the tries do not show.</source>
+        <translation>Ce qui compte parmi cela, les essais ne le montrent pas.</translation>
+    </message>
+    <message>
+        <source>With every e tried %1 of the speed comes back.</source>
+        <translation>Avec chaque e essayé, %1 de la vitesse revient.</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>De chaque vitesse essayée, il repart à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls leave %who moving outward</source>
+        <translation>Après les chocs contre %walls, on va encore vers l&apos;extérieur (%who)</translation>
+    </message>
+    <message>
+        <source>With every e tried nothing of it is lost.</source>
+        <translation>Avec chaque e essayé, rien n&apos;en est perdu.</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls are not answered</source>
+        <translation>Certains chocs contre %walls restent sans réponse (%who)</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls come out wrong</source>
+        <translation>Certains chocs contre %walls se passent mal (%who)</translation>
+    </message>
+    <message>
+        <source>Some hits of %who at the %walls are answered too late</source>
+        <translation>Certains chocs contre %walls reçoivent une réponse trop tard (%who)</translation>
+    </message>
+    <message>
+        <source>This one came out right: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.</source>
+        <translation>Celui-ci s&apos;est bien passé&#xa0;: le cercle %1 à %2 s, contre %3 à %4 m, à %5 m/s.</translation>
+    </message>
+    <message>
+        <source>At every wall %who went out</source>
+        <translation>Sortie par toutes les parois (%who)</translation>
+    </message>
+    <message>
+        <source>At the %walls %who went out</source>
+        <translation>Sortie par %walls (%who)</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls leave %who moving outward</source>
+        <translation>Après les chocs lents contre %walls, on va encore vers l&apos;extérieur (%who)</translation>
+    </message>
+    <message>
+        <source>The x of %who does not change</source>
+        <translation>x ne change pas (%who)</translation>
+    </message>
+    <message>
+        <source>The y of %who does not change</source>
+        <translation>y ne change pas (%who)</translation>
+    </message>
+    <message>
+        <source>At every timestep tried it goes as far as in %1 s. Take the parameter of `on_update`.</source>
+        <translation>À chaque pas de temps essayé, il va aussi loin qu&apos;en %1 s. Prenez le paramètre de `on_update`.</translation>
+    </message>
+    <message>
+        <source>The velocity has no part in the way of %who</source>
+        <translation>La vitesse n&apos;entre pas dans le chemin (%who)</translation>
+    </message>
+    <message>
+        <source>A step moves %who nowhere</source>
+        <translation>Un pas ne déplace rien (%who)</translation>
     </message>
 </context>
 <context>

@@ -23,15 +23,15 @@ public:
         if (f.follows >= 0 && right().follows < 0)
             return said(
                 FlightText::tr("Every step puts %who where circle %1 is").arg(f.follows + 1),
-                FlightText::tr("Wherever the two start, one step later they are at the "
-                               "same place. Each circle has a place and a velocity of its "
+                FlightText::tr("From every start tried the two are at the same place one step "
+                               "later. Each circle has a place and a velocity of its "
                                "own and goes on from those: look at what the lines for "
                                "one take from the other."),
                 true);
         if (f.borrows >= 0 && right().borrows < 0)
             return said(
                 FlightText::tr("The velocity of %who is taken from circle %1").arg(f.borrows + 1),
-                FlightText::tr("Whatever its own velocity was, one step later it has what "
+                FlightText::tr("With every velocity tried it has one step later what "
                                "circle %1 had, and what gravity adds: started with %2 "
                                "m/s, it has %3 m/s. Each circle goes on from its own "
                                "velocity: look at the names in the line that changes it.")
@@ -58,31 +58,32 @@ public:
         if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
             return said(FlightText::tr("The velocity of %who is set anew in every step"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "
-                                       "it has from every other start. A step works the new "
+                                       "it has from every other start tried. A step works the new "
                                        "velocity out from the one that the circle has, which a "
                                        "hit may have changed; a start is set once, in "
                                        "`on_load`.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
         if ((f.resetsX && !right().resetsX) || (f.resetsY && !right().resetsY))
-            return said(f.resetsX
-                            ? FlightText::tr("The x of the velocity of %who is set anew in every "
-                                             "step")
-                            : FlightText::tr("The y of the velocity of %who is set anew in every "
-                                             "step"),
-                        FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and "
-                                       "that part is the same from every other start. A step works "
-                                       "each part out from the one that the circle has, and keeps "
-                                       "it for the next.")
-                            .arg(brief(f.startedWith), brief(f.turnedInto)),
-                        false);
+            return said(
+                f.resetsX ? FlightText::tr("The x of the velocity of %who is set anew in every "
+                                           "step")
+                          : FlightText::tr("The y of the velocity of %who is set anew in every "
+                                           "step"),
+                FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and "
+                               "that part is the same from every other start tried. A step works "
+                               "each part out from the one that the circle has, and keeps "
+                               "it for the next.")
+                    .arg(brief(f.startedWith), brief(f.turnedInto)),
+                false);
         if (f.leader >= 0 && f.isFromLeader && right().leader < 0)
-            return said(FlightText::tr("Every step moves %who on from where circle %1 is")
-                            .arg(f.leader + 1),
-                        FlightText::tr("Wherever the two start, one step later they are near each "
-                                       "other. Each circle goes on from its own place: look at "
-                                       "the names in the line that moves it."),
-                        true);
+            return said(
+                FlightText::tr("Every step moves %who on from where circle %1 is")
+                    .arg(f.leader + 1),
+                FlightText::tr("From every start tried the two are near each other one step later. "
+                               "Each circle goes on from its own place: look at "
+                               "the names in the line that moves it."),
+                true);
         if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
             return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
                         FlightText::tr("In a scene in which circle %1 alone has a velocity, %who "
@@ -92,8 +93,8 @@ public:
                         true);
         if (f.jumps && !m_right.at(gravity(), timestep(), m_i).jumps)
             return said(FlightText::tr("The new place of %who does not depend on the old one"),
-                        FlightText::tr("Wherever it starts, after the same two steps it is at the "
-                                       "same place. A step *adds* a way to the old position."),
+                        FlightText::tr("From every start tried it is at the same place after the "
+                                       "same two steps. A step *adds* a way to the old position."),
                         true);
         if (std::abs(f.carried - 1.0) > 1e-6 && !hasPull()
             && std::abs(right().carried - 1.0) < 1e-6)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tasks/judging/condition_words.h"
-#include "tasks/judging/occasions.h"
+#include "tasks/judging/tried_words.h"
 
 #include <QCoreApplication>
 
@@ -78,17 +78,21 @@ public:
     }
 
 protected:
-    /// "Of 16 hits of the two circles, here and there, early and late, 9 came out right."
-    static QString counted(Aspect aspect, const std::vector<Occasion> &when);
+    /// What is said of things that come out right at times.
+    struct Said {
+        QString headline{}; ///< with %who for the circles
+        QString seen{};     ///< of one that comes out wrong
+        QString told{};     ///< how many come out right, and which
+    };
 
-    /// Says \p message first, and nothing that \p isReplaced is true of.
+    /// Says \p what first, and nothing that \p isReplaced is true of.
     /// \param place  where it shows, if it is the place that counts
     template <class IsReplaced>
-    void say(Aspect aspect, const QString &message, const Condition &condition,
+    void say(Aspect aspect, const Said &what, const Condition &condition,
              const std::vector<int> &circles, const Moment &place, IsReplaced isReplaced)
     {
         std::erase_if(m_said.deviations, isReplaced);
-        add(aspect, message, condition, circles, place);
+        add(aspect, what, condition, circles, place);
     }
 
     const MeasuredLaws &m_own;
@@ -98,7 +102,7 @@ protected:
     ConditionedAspect m_said{};
 
 private:
-    void add(Aspect aspect, QString message, const Condition &condition,
+    void add(Aspect aspect, const Said &what, const Condition &condition,
              const std::vector<int> &circles, const Moment &place);
 };
 

@@ -4,35 +4,14 @@
 
 namespace cradle {
 
-QString ConditionComparison::counted(Aspect aspect, const std::vector<Occasion> &when)
-{
-    const auto text = [&] {
-        switch (aspect) {
-        case Aspect::Walls:
-        case Aspect::Course:
-            return ConditionText::tr("Of %1 arrivals at walls, here and there, early and late, %2 "
-                                     "came out right.");
-        case Aspect::Contact:
-        case Aspect::Response:
-            return ConditionText::tr("Of %1 hits of the two circles, here and there, early and "
-                                     "late, %2 came out right.");
-        case Aspect::Start:
-        case Aspect::Motion:
-            break;
-        }
-        return ConditionText::tr("Of %1 steps of free flight, here and there, early and late, %2 "
-                                 "came out right.");
-    }();
-    return QLatin1String("\n\n") + text.arg(when.size()).arg(rightOnes(when)) + QLatin1Char(' ');
-}
-
-void ConditionComparison::add(Aspect aspect, QString message, const Condition &condition,
+void ConditionComparison::add(Aspect aspect, const Said &what, const Condition &condition,
                               const std::vector<int> &circles, const Moment &place)
 {
     const bool isOfPlace = condition.isOfPlace();
-    message += QLatin1Char(' ')
-               + ConditionText::tr("Look at what is asked before the lines that do it, and at what "
-                                   "your program keeps from one step to the next.");
+    QString message = what.headline + QLatin1String("\n\n") + what.seen + QLatin1Char(' ')
+                      + what.told + QLatin1Char(' ')
+                      + ConditionText::tr("Look at what your program asks there, and at what it "
+                                          "keeps from one step to the next.");
     message.replace(QLatin1String("%who"), circleNames(circles, m_ground.flights.size()));
     LawDeviation said{.aspect = aspect,
                       .message = message,

@@ -56,6 +56,8 @@ public:
 private:
     [[nodiscard]] bool isRight(const PairHit &hit) const;
     void tell();
+    /// How many of them come out right, and which.
+    [[nodiscard]] QString counted() const;
     [[nodiscard]] static const PairHit &plainest(const std::vector<const PairHit *> &hits);
     [[nodiscard]] QString describe(const PairHit &hit) const;
 

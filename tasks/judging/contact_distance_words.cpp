@@ -117,7 +117,7 @@ private:
             std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
         if (isTold() && answersAll && low <= high) {
             add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
-                ContactText::tr("Whatever the radii are, they answer at the same distance, "
+                ContactText::tr("With all radii tried they answer at the same distance, "
                                 "between %1 and %2 m.")
                         .arg(brief(low), brief(high))
                     + QLatin1Char(' ') + seen(hit),
@@ -137,10 +137,9 @@ private:
         const auto inTime = std::count_if(m_own.contacts.begin(), m_own.contacts.end(), isInTime);
         if (inTime > 0)
             body += QLatin1Char(' ')
-                    + ContactText::tr("Of the %1 meetings that were tried %2 were answered in "
-                                      "time.")
-                          .arg(m_own.contacts.size())
-                          .arg(inTime);
+                    + ContactText::tr("Of %1 meetings tried, %n were answered in time.", nullptr,
+                                      static_cast<int>(inTime))
+                          .arg(m_own.contacts.size());
         add(inTime > 0 && early ? ContactText::tr("Some meetings are answered before they touch")
             : inTime > 0        ? ContactText::tr("Some meetings are answered too late")
             : early             ? ContactText::tr("The circles answer before they touch")

@@ -48,39 +48,43 @@ std::optional<LawDeviation> DividedMeetings::said(bool isKnown)
 void DividedMeetings::tell()
 {
     const PairHit &missed = plainest(m_missed);
-    QString body =
-        (m_division && m_division->isOfDirection
-             ? ContactText::tr("Of %1 meetings of all kinds %2 were answered by the time that the "
-                               "rims met, and along the line of centres, those and no others.")
-         : m_division
-             ? ContactText::tr("Of %1 meetings of all kinds %2 were answered by the time that the "
-                               "rims met, those and no others.")
-             : ContactText::tr("Of %1 meetings of all kinds %2 were answered by the time that the "
-                               "rims met."))
-            .arg(m_answered.size() + m_missed.size())
-            .arg(m_answered.size());
-    body += QLatin1Char(' ') + ContactText::tr("One that was not: %1.").arg(describe(missed))
-            + QLatin1Char(' ')
-            + ContactText::tr("One that was: %1.").arg(describe(plainest(m_answered)))
-            + QLatin1Char(' ');
+    const bool isOfDirection = m_division && m_division->isOfDirection;
     const bool isSide = m_division && m_division->kind == Kind::Side;
-    body += isSide
-                ? ContactText::tr("Look at what changes from one side to the other, such as the "
-                                  "sign of a difference of two positions, and an angle that is "
-                                  "worked out from it.")
-                : ContactText::tr("What counts is whether they overlap, and whether the velocity "
-                                  "of one relative to the other closes the gap along the line "
-                                  "of centres.");
+    QStringList body{ContactText::tr("This one came out wrong: %1.").arg(describe(missed))};
+    if (!m_division)
+        body.append(
+            ContactText::tr("This one came out right: %1.").arg(describe(plainest(m_answered))));
+    body.append(counted());
+    body.append(isSide
+                    ? ContactText::tr("Look at what changes from one side to the other: the sign "
+                                      "of a difference, or an angle.")
+                    : ContactText::tr("A hit is due where they overlap and come nearer along the "
+                                      "line of centres, and nowhere else."));
     const bool answersAll = std::all_of(m_missed.begin(), m_missed.end(),
                                         [](const PairHit *hit) { return hit->answered; });
-    add(!m_division ? ContactText::tr("Not every meeting is answered")
-        : m_division->isOfDirection
-            ? ContactText::tr("Hits come out right only %1").arg(m_division->phrase)
-        : answersAll ? ContactText::tr("Hits are answered in time only %1").arg(m_division->phrase)
-                     : ContactText::tr("Hits are answered only %1").arg(m_division->phrase),
-        body, whereTheyTouch(missed), isSide ? Suspect::Formula : Suspect::Question);
+    add(isOfDirection ? ContactText::tr("Some hits do not act along the line of centres")
+        : answersAll  ? ContactText::tr("Some hits of the two circles are answered too late")
+                      : ContactText::tr("Some hits of the two circles are not answered"),
+        body.join(QLatin1Char(' ')), whereTheyTouch(missed),
+        isSide ? Suspect::Formula : Suspect::Question);
     if (isSide)
         m_found.back().topic = Topic::Direction;
+}
+
+QString DividedMeetings::counted() const
+{
+    const int right = static_cast<int>(m_answered.size());
+    const QString all = QString::number(m_answered.size() + m_missed.size());
+    if (!m_division)
+        return ContactText::tr("Of %1 meetings tried, %n were answered in time.", nullptr, right)
+            .arg(all);
+    return (m_division->isOfDirection
+                ? ContactText::tr("Of %1 meetings tried, %n were answered in time and along the "
+                                  "line of centres: %2.",
+                                  nullptr, right)
+                : ContactText::tr("Of %1 meetings tried, %n were answered in time: %2.", nullptr,
+                                  right))
+        .arg(all, m_division->phrase);
 }
 
 /// One of \p hits, not empty, in which both move, if there is one.
@@ -101,15 +105,16 @@ QString DividedMeetings::describe(const PairHit &hit) const
     const auto velocity = [&](double along, double across) {
         return brief(hit.slowness * (along * n + across * perpendicular(n)));
     };
-    QStringList parts{
-        ContactText::tr("circle 1 came with %1 m/s, circle 2 with %2 m/s")
-            .arg(velocity(m.velocities.along1, m.velocities.across1),
-                 velocity(m.velocities.along2, m.velocities.across2)),
-        ContactText::tr("their line of centres, from 1 to 2, at %1°").arg(brief(m.degrees)),
-        ContactText::tr("near %1 m").arg(brief(m.middle))};
-    if (m_ground.pair.radii.isVaried())
+    QStringList parts{ContactText::tr("circle 1 came with %1 m/s, circle 2 with %2 m/s")
+                          .arg(velocity(m.velocities.along1, m.velocities.across1),
+                               velocity(m.velocities.along2, m.velocities.across2)),
+                      ContactText::tr("their line of centres at %1°").arg(brief(m.degrees))};
+    const auto maySplit = [&](Kind kind) { return !m_division || m_division->kind == kind; };
+    if (maySplit(Kind::Place))
+        parts.append(ContactText::tr("near %1 m").arg(brief(m.middle)));
+    if (m_ground.pair.radii.isVaried() && maySplit(Kind::Size))
         parts.append(QStringLiteral("r₁ = %1, r₂ = %2 m").arg(brief(m.radius1), brief(m.radius2)));
-    if (m_ground.pair.densities.isVaried())
+    if (m_ground.pair.densities.isVaried() && maySplit(Kind::Size))
         parts.append(QStringLiteral("ρ₁ = %1, ρ₂ = %2").arg(brief(m.density1), brief(m.density2)));
     return parts.join(QStringLiteral(", "));
 }

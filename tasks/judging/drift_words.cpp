@@ -104,14 +104,15 @@ private:
                     moment(true, g)};
         }
         if (power == 0)
-            return {FlightText::tr("Every step moves %who by a fixed way besides v Δt"),
-                    FlightText::tr("Whatever Δt, gravity and its velocity are, it goes on by %1 m "
-                                   "besides. Look at what is added to the position.")
-                        .arg(brief(besides)),
-                    moment(true, g)};
+            return {
+                FlightText::tr("Every step moves %who by a fixed way besides v Δt"),
+                FlightText::tr("At every timestep, gravity and velocity tried it goes on by %1 m "
+                               "besides. Look at what is added to the position.")
+                    .arg(brief(besides)),
+                moment(true, g)};
         if (power == 1)
             return {FlightText::tr("Something besides its own velocity moves %who"),
-                    FlightText::tr("Whatever gravity and its velocity are, it goes on by %1 m/s "
+                    FlightText::tr("At every gravity and velocity tried it goes on by %1 m/s "
                                    "times Δt besides. Look at what is added to the position.")
                         .arg(brief(besides)),
                     moment(true, g)};

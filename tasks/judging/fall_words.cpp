@@ -173,8 +173,9 @@ private:
                                    "the velocity.")};
         case Kind::Fixed:
             return {FlightText::tr("A fixed number stands for the timestep in the fall of %who"),
-                    FlightText::tr("Whatever Δt is, gravity acts for %1 s. Take the parameter of "
-                                   "`on_update`.")
+                    FlightText::tr(
+                        "At every timestep tried gravity acts for %1 s. Take the parameter of "
+                        "`on_update`.")
                         .arg(briefTimestep(p.value))};
         case Kind::Other:
             return {FlightText::tr("How gravity acts on %who depends on the timestep"),
@@ -183,7 +184,7 @@ private:
             break;
         }
         if (std::abs(p.value) < wrong)
-            return {FlightText::tr("Gravity does not act on %who"),
+            return {FlightText::tr("Gravity leaves %who alone"),
                     FlightText::tr("In every step gravity must change its velocity: look for the "
                                    "line that does it, and at what is asked before it.")};
         if (std::abs(p.value + 1.0) < wrong)

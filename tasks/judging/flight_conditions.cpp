@@ -93,9 +93,9 @@ private:
         const bool isFall =
             wanted != Vec2{} && std::abs(cross(was, wanted)) < 1e-6 * length(wanted);
         sayOf(series, *condition,
-              isFall ? ConditionText::tr("Gravity acts on %who as it should only %1")
-                     : ConditionText::tr("The velocity of %who changes as it should only %1"),
-              ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
+              isFall ? ConditionText::tr("At times gravity acts wrongly on %who")
+                     : ConditionText::tr("At times the velocity of %who changes wrongly"),
+              ConditionText::tr("At %1 s of its run circle %2, at %3 m and touching nothing, "
                                 "changed its velocity by %4 m/s in a step of %5 s; %6 m/s is "
                                 "right."),
               was, wanted);
@@ -115,8 +115,9 @@ private:
         if (!condition)
             return;
         const FlightOccasion &seen = *series.firstWrong().own;
-        sayOf(series, *condition, ConditionText::tr("The way of %who in a step is v Δt only %1"),
-              ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
+        sayOf(series, *condition,
+              ConditionText::tr("At times the way of %who in a step is not v Δt"),
+              ConditionText::tr("At %1 s of its run circle %2, at %3 m and touching nothing, "
                                 "went %4 m in a step of %5 s; %6 m is right."),
               seen.after.position - seen.before.position,
               wantedOf(seen).position - seen.before.position, true);
@@ -161,9 +162,8 @@ private:
             return;
         const FlightOccasion &seen = *series.firstWrong().own;
         sayOf(series, *condition,
-              ConditionText::tr("The motion of %who is %1 only %2")
-                  .arg(methodName(share), QStringLiteral("%1")),
-              ConditionText::tr("At %1 s of its run circle %2, at %3 m and far from all others, "
+              ConditionText::tr("At times the motion of %who is not %1").arg(methodName(share)),
+              ConditionText::tr("At %1 s of its run circle %2, at %3 m and touching nothing, "
                                 "went %4 m in a step of %5 s; by that method it is %6 m."),
               seen.after.position - seen.before.position,
               timestep() * seen.before.velocity + share * fall, true);
@@ -179,11 +179,12 @@ private:
         stage.gravity = m_ground.gravities.front();
         stage.circles[static_cast<std::size_t>(seen.circle)].body = seen.before;
         say(Aspect::Motion,
-            headline.arg(phraseOf(condition)) + counted(Aspect::Motion, series.when)
-                + text.arg(brief(seen.when.time))
-                      .arg(seen.circle + 1)
-                      .arg(brief(seen.before.position), brief(was), briefTimestep(timestep()),
-                           brief(wanted)),
+            {headline,
+             text.arg(brief(seen.when.time))
+                 .arg(seen.circle + 1)
+                 .arg(brief(seen.before.position), brief(was), briefTimestep(timestep()),
+                      brief(wanted)),
+             triesTold(series.when)},
             condition, series.wrongCircles([](const FlightOccasion &one) { return one.circle; }),
             {.stage = {stage, true}, .isPosition = isPosition},
             [](const LawDeviation &) { return true; });

@@ -28,13 +28,13 @@ public:
                 return std::nullopt;
             const QString asked =
                 shares.size() == 1
-                    ? FlightText::tr("%1 g Δt² is asked for.").arg(brief(shares.front()))
+                    ? FlightText::tr("v Δt + %1 g Δt² is asked for.").arg(brief(shares.front()))
                     : FlightText::tr("One of these is asked for.");
             return FlightSaid{
                 headlineOf(*share, shares),
-                FlightText::tr("Under gravity %1 m/s² it goes on by %2 g Δt² in a step besides "
-                               "v Δt. Euler moves it with the old velocity, by 0 g Δt²; symplectic "
-                               "Euler with the new one, by 1 g Δt²; the exact methods by ½ g Δt².")
+                FlightText::tr("Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v "
+                               "from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the "
+                               "exact methods (Verlet, Runge-Kutta 4) ½ g Δt².")
                         .arg(brief(g), brief(*share))
                     + QLatin1Char(' ') + asked,
                 moment(true, g), true};
@@ -85,7 +85,7 @@ QString methodName(double share)
         return motion::integratorName(Integrator::Euler);
     if (is(1.0))
         return motion::integratorName(Integrator::SymplecticEuler);
-    return is(0.5) ? FlightText::tr("the exact parabola (Verlet, Runge-Kutta 4)") : QString();
+    return is(0.5) ? FlightText::tr("the exact parabola") : QString();
 }
 
 std::optional<FlightSaid> methodSaid(const FlightComparison &comparison, bool isFallRight)
@@ -122,7 +122,7 @@ std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Gro
     if (exchanged) {
         deviation.message =
             FlightText::tr("The circles have each other's method\n\nUnder gravity circle 1 goes on "
-                           "by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; it "
+                           "by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it "
                            "should be the other way round. Look at which circle goes with which "
                            "method.")
                 .arg(brief(shares[0]), brief(shares[1]));
@@ -132,7 +132,7 @@ std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Gro
         && asks(1, shares[1])) {
         deviation.message =
             FlightText::tr("The circles move by different methods\n\nUnder gravity circle 1 goes "
-                           "on by %1 a Δt² in a step besides v Δt, and circle 2 by %2 a Δt²; both "
+                           "on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both "
                            "need the same. Look at which lines move which circle.")
                 .arg(brief(shares[0]), brief(shares[1]));
         return deviation;

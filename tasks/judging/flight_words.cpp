@@ -180,8 +180,7 @@ private:
                    - velocity;
         };
         const QString headline =
-            FlightText::tr("How the velocity of %who changes depends on the velocity otherwise "
-                           "than asked");
+            FlightText::tr("The acceleration of %who depends wrongly on the velocity");
         // Two moments that look right show nothing of it; a step before them may.
         if (brief(a.turn) == brief(asked(a.velocity))
             && brief(b.turn) == brief(asked(b.velocity))) {

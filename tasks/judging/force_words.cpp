@@ -82,7 +82,7 @@ private:
     {
         const Flight::Step &seen = flight(0).seen[0];
         FlightSaid fault = said(
-            FlightText::tr("Far from everything the velocity of %who turns round in every step")
+            FlightText::tr("Far from everything the velocity of %who turns round")
                 + partOf(inX, inY),
             FlightText::tr("It had %1 m/s, and %2 m/s one step of %3 s later, with nothing near "
                            "that it could hit. Look at the lines that turn it, and at what is "

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/meeting_division.h"
 
+#include "tasks/judging/tried_words.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -211,10 +213,16 @@ std::optional<MeetingDivision> limitOf(const std::vector<Thrown> &all)
                  .speed = one.slowness * one.meeting.closing(),
                  .isRight = one.isMet});
         const auto limit = conditionOf(occasions);
-        if (limit && limit->kind != Limit::Sometimes)
-            return MeetingDivision{limit->isOfPlace() ? MeetingDivision::Kind::Place
-                                                      : MeetingDivision::Kind::Speed,
-                                   phraseOf(*limit)};
+        if (!limit || limit->kind == Limit::Sometimes)
+            continue;
+        const QString phrase = triedPhrase(*limit);
+        if (!limit->isOfPlace())
+            return MeetingDivision{MeetingDivision::Kind::Speed, phrase};
+        return MeetingDivision{
+            MeetingDivision::Kind::Place,
+            share == 0.0
+                ? phrase
+                : DivisionText::tr("%1, where circle %2 was").arg(phrase).arg(share < 0.0 ? 1 : 2)};
     }
     return std::nullopt;
 }
@@ -240,7 +248,8 @@ std::optional<MeetingDivision> divided(const std::vector<PairHit> &hits, IsRight
         for (const Sign &sign : signs) {
             const QString phrase = phraseBy(sign, all);
             if (!phrase.isEmpty())
-                return MeetingDivision{kind, DivisionText::tr("where %1").arg(phrase)};
+                return MeetingDivision{kind,
+                                       DivisionText::tr("those where %1, no others").arg(phrase)};
         }
     }
     return limitOf(all);

@@ -22,7 +22,7 @@ struct MeetingDivision {
         Place, ///< where in the square they meet
     };
     Kind kind = Kind::Side;
-    QString phrase{};           ///< "where circle 1 moves to the right": to stand behind "only"
+    QString phrase{};           ///< "those where circle 1 moves to the right, no others"
     bool isOfDirection = false; ///< others are answered, but not along the line of centres
 };
 

@@ -2,20 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/occasions.h"
 
-#include "tasks/judging/deviation.h"
-
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 
 namespace cradle {
 
 namespace {
-
-struct OccasionText {
-    Q_DECLARE_TR_FUNCTIONS(Findings)
-};
 
 using Kind = Condition::Kind;
 
@@ -84,6 +76,16 @@ int rightOnes(const std::vector<Occasion> &occasions)
 
 namespace {
 
+/// A way to count them.
+struct Number {
+    int Occasion::*of;
+    Condition::Counted counted;
+};
+constexpr Number numbers[] = {{&Occasion::number, Condition::Counted::InRun},
+                              {&Occasion::ownNumber, Condition::Counted::OfCircle},
+                              {&Occasion::likeNumber, Condition::Counted::InRun},
+                              {&Occasion::wallNumber, Condition::Counted::AtWall}};
+
 /// That the first ones of a run come out right, or the others, counted by \p number.
 std::optional<Condition> byNumber(const Division &by, int Occasion::*number)
 {
@@ -113,9 +115,9 @@ std::optional<Condition> byHigherNumber(const Division &by, int Occasion::*numbe
 template <class By>
 void takeNumber(std::vector<Condition> &all, const Division &by, By byIt)
 {
-    for (const auto number :
-         {&Occasion::number, &Occasion::ownNumber, &Occasion::likeNumber, &Occasion::wallNumber}) {
-        if (const auto found = byIt(by, number)) {
+    for (const Number &number : numbers) {
+        if (auto found = byIt(by, number.of)) {
+            found->counted = number.counted;
             all.push_back(*found);
             return;
         }
@@ -190,70 +192,6 @@ std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions)
         return std::nullopt;
     const std::vector<Condition> all = conditionsOf(occasions);
     return all.size() == 1 ? all.front() : Condition{};
-}
-
-QString phraseOf(const Condition &condition)
-{
-    const auto between = [&](const QString &text) {
-        const auto [low, high] = std::minmax(condition.inside, condition.outside);
-        return text.arg(brief(low), brief(high));
-    };
-    switch (condition.kind) {
-    case Kind::Sometimes:
-    case Kind::Setting:
-    case Kind::FirstFew:
-    case Kind::AfterFew:
-        break;
-    case Kind::First:
-        return OccasionText::tr("the first time");
-    case Kind::NotFirst:
-        return OccasionText::tr("from the second time on");
-    case Kind::OddOnes:
-        return OccasionText::tr("the first time, the third, and so on");
-    case Kind::EvenOnes:
-        return OccasionText::tr("every second time");
-    case Kind::Pause:
-        return OccasionText::tr("when the last one is long past");
-    case Kind::BeforeMet:
-        return OccasionText::tr("until the circles have hit each other");
-    case Kind::BeforeHit:
-        return OccasionText::tr("until it has hit a wall");
-    case Kind::AfterHit:
-        return OccasionText::tr("after it has hit a wall");
-    case Kind::Until:
-        return between(OccasionText::tr("up to a time between %1 and %2 s"));
-    case Kind::From:
-        return between(OccasionText::tr("from a time between %1 and %2 s on"));
-    case Kind::Above:
-        return between(OccasionText::tr("above a height between y = %1 and %2 m"));
-    case Kind::Below:
-        return between(OccasionText::tr("below a height between y = %1 and %2 m"));
-    case Kind::LeftOf:
-        return between(OccasionText::tr("to the left of a place between x = %1 and %2 m"));
-    case Kind::RightOf:
-        return between(OccasionText::tr("to the right of a place between x = %1 and %2 m"));
-    case Kind::Rightward:
-        return OccasionText::tr("with a velocity that points right");
-    case Kind::Leftward:
-        return OccasionText::tr("with a velocity that points left");
-    case Kind::Upward:
-        return OccasionText::tr("with a velocity that points up");
-    case Kind::Downward:
-        return OccasionText::tr("with a velocity that points down");
-    case Kind::SlowerInto:
-        return between(OccasionText::tr("up to a speed into the wall between %1 and %2 m/s"));
-    case Kind::FasterInto:
-        return between(OccasionText::tr("from a speed into the wall between %1 and %2 m/s on"));
-    case Kind::SlowerAlong:
-        return between(OccasionText::tr("up to a speed along the wall between %1 and %2 m/s"));
-    case Kind::FasterAlong:
-        return between(OccasionText::tr("from a speed along the wall between %1 and %2 m/s on"));
-    case Kind::Slower:
-        return between(OccasionText::tr("up to a speed between %1 and %2 m/s"));
-    case Kind::Faster:
-        return between(OccasionText::tr("from a speed between %1 and %2 m/s on"));
-    }
-    return OccasionText::tr("at times");
 }
 
 } // namespace cradle

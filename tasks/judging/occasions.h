@@ -4,8 +4,6 @@
 
 #include "model/world/vec2.h"
 
-#include <QString>
-
 #include <limits>
 #include <optional>
 #include <vector>
@@ -72,6 +70,13 @@ struct Condition {
     /// The limit lies between that of the last right one and that of the first wrong one.
     double inside = 0.0;
     double outside = 0.0;
+    /// Of which a number is.
+    enum class Counted {
+        InRun,    ///< all of a run
+        OfCircle, ///< those of a circle
+        AtWall,   ///< of these those at a wall
+    };
+    Counted counted = Counted::InRun;
 
     [[nodiscard]] bool isOfPlace() const
     {
@@ -87,9 +92,6 @@ struct Condition {
 /// \return nothing where all of \p occasions come out alike; Sometimes, too, where several things
 ///         divide them
 [[nodiscard]] std::optional<Condition> conditionOf(const std::vector<Occasion> &occasions);
-
-/// "the first time", "up to a time between 2.9 and 3.6 s": to stand behind "only".
-[[nodiscard]] QString phraseOf(const Condition &condition);
 
 /// How many come out right.
 [[nodiscard]] int rightOnes(const std::vector<Occasion> &occasions);

@@ -82,11 +82,12 @@ private:
         if (!isContact && hasLosses)
             met = met.arg(brief(hit.meeting.restitution));
         say(aspect,
-            (isContact ? ConditionText::tr("Hits of the two circles are answered only %1")
-                       : ConditionText::tr("Hits of the two circles come out right only %1"))
-                    .arg(phraseOf(*condition))
-                + counted(aspect, series.when) + met
-                + (isContact ? QString() : QLatin1Char(' ') + describeHit(hit, good->hit)),
+            {!isContact ? ConditionText::tr("Some hits of the two circles come out wrong")
+             : hit.answered
+                 ? ConditionText::tr("Some hits of the two circles are answered too late")
+                 : ConditionText::tr("Some hits of the two circles are not answered"),
+             isContact ? met : met + QLatin1Char(' ') + describeHit(hit, good->hit),
+             triesTold(series.when)},
             *condition, {0, 1}, {.stage = hit.stage, .step = good->hit.step},
             [](const LawDeviation &found) { return found.suspect != Suspect::Masses; });
     }

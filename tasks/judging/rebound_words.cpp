@@ -205,7 +205,7 @@ private:
                 m_reading.explainsElastic = !m_isElastic;
                 return true;
             }
-            add(one || two ? ReboundText::tr("%1, in the new velocity of circle %2 alone")
+            add(one || two ? ReboundText::tr("%1, for circle %2 alone")
                                  .arg(law.headline, QString::number(one ? 1 : 2))
                            : law.headline);
             m_reading.explainsElastic = !m_isElastic;
@@ -255,15 +255,16 @@ private:
                 add(ReboundText::tr("After a hit the circles part faster than they met"));
             else
                 add(ReboundText::tr("A number stands for e in the hit of two circles"),
-                    ReboundText::tr("Whatever e is, the rebound is that of e = %1.")
+                    ReboundText::tr("With every e tried the rebound is that of e = %1.")
                         .arg(number(first)));
         } else if (std::min(first, second) < -blur || std::max(first, second) > 1.0 + blur) {
             // No e is like that: something else is wrong with the push.
             addOdd();
         } else {
             add(ReboundText::tr("Numbers stand for e in the hit of two circles"),
-                ReboundText::tr("Whatever e is, circle 1 answers as with e = %1 and circle 2 as "
-                                "with e = %2.")
+                ReboundText::tr(
+                    "With every e tried circle 1 answers as with e = %1 and circle 2 as "
+                    "with e = %2.")
                     .arg(number(first), number(second)));
         }
         m_reading.explainsElastic = true;

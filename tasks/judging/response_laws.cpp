@@ -92,10 +92,7 @@ std::vector<ResponseLaw> exchangeLaws()
         {[](Hit h) {
              return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
          },
-         ResponseLawText::tr(
-             "Of two equal circles the whole velocities change hands, not only the parts along the "
-             "normal"),
-         along},
+         ResponseLawText::tr("Two equal circles exchange their whole velocities"), along},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1};
          },
@@ -143,8 +140,7 @@ std::vector<ResponseLaw> exchangeLaws()
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              return PairVelocities{n, h.in.across1, n, h.in.across2};
          },
-         ResponseLawText::tr(
-             "After an elastic hit both circles have the same velocity along the normal"),
+         ResponseLawText::tr("After an elastic hit the circles do not part"),
          ResponseLawText::tr("They go on side by side and do not part: each gets only half of the "
                              "change that an elastic hit makes. Look at the factor in front.")},
         {[](Hit h) {

@@ -166,17 +166,30 @@ QString describeHit(const PairHit &hit, const PairHit &right)
         }
         return part;
     };
-    const auto pair = [&](double along, double across) {
-        return ResponseText::tr("%1 along, %2 across")
-            .arg(brief(hit.slowness * seen(along)), brief(hit.slowness * seen(across)));
+    const auto told = [&](double part) { return brief(hit.slowness * seen(part)); };
+    const QStringList along{told(in.along1),  told(in.along2),   told(out.along1),
+                            told(out.along2), told(good.along1), told(good.along2)};
+    const QStringList across{told(in.across1),  told(in.across2),   told(out.across1),
+                             told(out.across2), told(good.across1), told(good.across2)};
+    const auto isRight = [](const QStringList &parts) {
+        return parts[2] == parts[4] && parts[3] == parts[5];
     };
-    return ResponseText::tr(
-               "Velocities in m/s along the line of centres (from 1 to 2) and across it: circle 1 "
-               "came with %1, circle 2 with %2; they left with %3 and with %4; right is %5 and "
-               "%6.")
-        .arg(pair(in.along1, in.across1), pair(in.along2, in.across2),
-             pair(out.along1, out.across1), pair(out.along2, out.across2),
-             pair(good.along1, good.across1), pair(good.along2, good.across2));
+    const auto said = [](const QString &text, const QStringList &parts) {
+        return text.arg(parts[0], parts[1], parts[2], parts[3], parts[4], parts[5]);
+    };
+    QStringList sentences;
+    if (!isRight(along) || isRight(across))
+        sentences.append(
+            said(ResponseText::tr(
+                     "Along the line of centres, from 1 to 2, circle 1 came with %1 m/s and "
+                     "circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right."),
+                 along));
+    if (!isRight(across))
+        sentences.append(said(
+            ResponseText::tr("Across the line of centres circle 1 came with %1 m/s and circle 2 "
+                             "with %2 m/s; they left with %3 and %4; %5 and %6 are right."),
+            across));
+    return sentences.join(QLatin1Char(' '));
 }
 
 std::vector<LawDeviation> responseDeviations(const MeasuredPair &own, const MeasuredPair &right,

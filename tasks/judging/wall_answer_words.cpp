@@ -159,9 +159,9 @@ private:
         }
         const auto number = [&](double) { return hit.back; };
         if (odd.size() > 2 && rebounds() && follows(odd, back, number))
-            return {
-                WallText::tr("At the %walls a number stands for e, for %who"),
-                WallText::tr("Whatever e is, %1 of the speed comes back.").arg(brief(hit.back))};
+            return {WallText::tr("At the %walls a number stands for e, for %who"),
+                    WallText::tr("With every e tried %1 of the speed comes back.")
+                        .arg(brief(hit.back))};
         const double share = hit.back / hit.restitution;
         if (rebounds() && hit.restitution > 0.0
             && follows(odd, back, [&](double e) { return share * e; }))
@@ -170,11 +170,11 @@ private:
                     lookAtNew()};
         if (const auto speed = ownSpeed(odd))
             return {WallText::tr("Hits at the %walls give %who a speed of their own"),
-                    WallText::tr("However fast it comes, it leaves with %1 m/s: work the new "
+                    WallText::tr("From every speed tried it leaves with %1 m/s: work the new "
                                  "velocity out from the old one.")
                         .arg(brief(*speed))};
         if (hit.back < 0.0)
-            return {WallText::tr("Hits at the %walls do not turn %who round"),
+            return {WallText::tr("Hits at the %walls leave %who moving outward"),
                     WallText::tr("Its velocity still points into the wall: look at what it is "
                                  "worked out from.")};
         // A share that is seen with one e alone is no law.
@@ -273,7 +273,7 @@ private:
                                           "sign.");
         return {{[](double) { return 1.0; }, true,
                  WallText::tr("Hits at the %walls give %who all of the speed back"),
-                 WallText::tr("Whatever e is, nothing of it is lost.")},
+                 WallText::tr("With every e tried nothing of it is lost.")},
                 {[](double e) { return e * e; }, true,
                  WallText::tr("At the %walls e acts on %who twice"),
                  WallText::tr("Heights go with e², speeds with e.")},
@@ -290,7 +290,7 @@ private:
                  WallText::tr("At the %walls 1 + e stands where e belongs, for %who"),
                  WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
                 {[](double) { return -1.0; }, false,
-                 WallText::tr("Hits at the %walls do not turn %who round"), look},
+                 WallText::tr("Hits at the %walls leave %who moving outward"), look},
                 {[](double e) { return -e; }, true,
                  WallText::tr("Hits at the %walls slow %who and turn nothing round"), look}};
     }

@@ -35,7 +35,7 @@ public:
         sayWalls(
             mixed(wallSeries([](const WallOccasion &one) { return !one.isSlow || one.hit.turned; },
                              [&](const WallHit &hit, const WallHit &) { return isAnswered(hit); })),
-            ConditionText::tr("Hits at the %walls turn %who round only %1"),
+            ConditionText::tr("Some hits of %who at the %walls are not answered"),
             [](const LawDeviation &found) { return found.suspect != Suspect::Formula; });
         // What falls in the step of a slow one blurs its answer.
         sayWalls(mixed(wallSeries(
@@ -43,7 +43,7 @@ public:
                      [&](const WallHit &hit, const WallHit &right) {
                          return isRightAnswer(hit, right);
                      })),
-                 ConditionText::tr("Hits of %who at the %walls come out right only %1"),
+                 ConditionText::tr("Some hits of %who at the %walls come out wrong"),
                  [](const LawDeviation &found) { return found.suspect == Suspect::Formula; });
         return std::move(m_said);
     }
@@ -205,13 +205,17 @@ private:
             return;
         }
         const auto &[own, right] = series.firstWrong();
-        QString line = headline.arg(phraseOf(*condition));
-        line.replace(QLatin1String("%walls"), wallNames(wrongWalls(series), rightWalls()));
-        QString seen = seenAt(*own, *right, own->hit.turned && !isAnswered(own->hit));
-        if (condition->kind == Condition::Kind::Sometimes
-            || condition->kind == Condition::Kind::Setting)
+        const std::set<Wall> walls = wrongWalls(series);
+        const std::set<Wall> all = rightWalls();
+        const bool isLate = own->hit.turned && !isAnswered(own->hit);
+        QString line =
+            isLate ? ConditionText::tr("Some hits of %who at the %walls are answered too late")
+                   : headline;
+        line.replace(QLatin1String("%walls"), wallNames(walls.size() == 1 ? walls : all, all));
+        QString seen = seenAt(*own, *right, isLate);
+        if (triedPhrase(*condition).isEmpty())
             seen += rightBeside(series, own->hit);
-        say(Aspect::Walls, line + counted(Aspect::Walls, series.when) + seen, *condition,
+        say(Aspect::Walls, {line, seen, triesTold(series.when)}, *condition,
             series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
             {.stage = own->hit.stage, .step = std::max(own->hit.step, right->hit.step)},
             isReplaced);
@@ -248,7 +252,9 @@ private:
         const Vec2 t = perpendicular(n);
         const Vec2 good =
             -right.hit.back * dot(hit.came, n) * n + right.hit.along * dot(hit.came, t) * t;
-        return seen.arg(brief(hit.left), brief(good));
+        return brief(hit.left) == brief(good) ? seen.arg(motion::figureBeside(hit.left, good),
+                                                         motion::figureBeside(good, hit.left))
+                                              : seen.arg(brief(hit.left), brief(good));
     }
 
     /// One that comes out right, at the same wall if there is one, to be looked at beside \p wrong.
@@ -263,12 +269,11 @@ private:
                 beside = &one;
         }
         return QLatin1Char(' ')
-               + ConditionText::tr("That at %1 s of circle %2 came out right: at the %3 at %4 m "
-                                   "with %5 m/s.")
-                     .arg(brief(beside->when.time))
+               + ConditionText::tr(
+                     "This one came out right: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.")
                      .arg(beside->hit.circle + 1)
-                     .arg(motion::wallName(beside->hit.wall), brief(beside->when.place),
-                          brief(came(beside->hit)));
+                     .arg(brief(beside->when.time), motion::wallName(beside->hit.wall),
+                          brief(beside->when.place), brief(came(beside->hit)));
     }
 
     std::vector<WallOccasion> m_first{}; ///< in short runs

@@ -81,13 +81,13 @@ private:
     {
         const bool isAll = whose.walls.size() > 1 && whose.walls == allOfThem();
         LawDeviation found =
-            isAll ? deviation(WallText::tr("No wall turns %who round"),
+            isAll ? deviation(WallText::tr("At every wall %who went out"),
                               WallText::tr("Thrown at each of them, %who went on through it; at "
                                            "the %1 with %2 m/s. Look at what is asked after the "
                                            "move, and whether the answer is ever yes.")
                                   .arg(motion::wallName(hit.wall), brief(thrown(hit))),
                               as(hit), whose, Suspect::Omission)
-                  : deviation(WallText::tr("Nothing turns %who round at the %walls"),
+                  : deviation(WallText::tr("At the %walls %who went out"),
                               WallText::tr("Thrown at the %1 with %2 m/s, circle %3 went on past "
                                            "it. Look at what your program asks for it, and whether "
                                            "the answer is ever yes.")

@@ -88,7 +88,7 @@ private:
         WallHit hit = m_own.slow[open.front()];
         hit.step = m_right.slow[open.front()].step;
         return deviation(
-            WallText::tr("Slow hits at the %walls do not turn %who round"),
+            WallText::tr("Slow hits at the %walls leave %who moving outward"),
             WallText::tr("Circle %1 came to the %2 with %3 m/s and went on past it; with "
                          "%4 m/s it is turned round. How fast it comes does not matter: "
                          "what counts is whether its rim is past the wall, and which way "

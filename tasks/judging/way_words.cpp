@@ -43,8 +43,8 @@ public:
         // A part that nobody asks for may stay; what is wrong with the other is said first.
         const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
         if (isX != isY && isRight(other))
-            return said(isX ? FlightText::tr("The x of %who never changes")
-                            : FlightText::tr("The y of %who never changes"),
+            return said(isX ? FlightText::tr("The x of %who does not change")
+                            : FlightText::tr("The y of %who does not change"),
                         seen
                             + FlightText::tr(" Both parts of the position must change, each by "
                                              "its own part of the velocity."),
@@ -142,8 +142,9 @@ private:
                                    "it.")};
         case Kind::Fixed:
             return {FlightText::tr("A fixed number stands for the timestep in the way of %who"),
-                    FlightText::tr("Whatever Δt is, it goes as far as in %1 s. Take the parameter "
-                                   "of `on_update`.")
+                    FlightText::tr(
+                        "At every timestep tried it goes as far as in %1 s. Take the parameter "
+                        "of `on_update`.")
                         .arg(briefTimestep(p.value))};
         case Kind::Constant:
             break;
@@ -152,11 +153,11 @@ private:
                     FlightText::tr("Look at the line that changes the position.")};
         }
         if (p.value == 0.0 && moves)
-            return {FlightText::tr("The velocity does not move %who"),
+            return {FlightText::tr("The velocity has no part in the way of %who"),
                     FlightText::tr("In every step its position gets v Δt added. Look at what the "
                                    "line that changes the position takes in its place.")};
         if (p.value == 0.0)
-            return {FlightText::tr("Nothing moves %who"),
+            return {FlightText::tr("A step moves %who nowhere"),
                     FlightText::tr("In every step its position gets v Δt added.")};
         if (std::abs(p.value + 1.0) < wrong)
             return {FlightText::tr("The way of %who is subtracted instead of added"),

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/tried_words.h"
+
+#include "tasks/checks/figures.h"
+#include "tasks/judging/deviation.h"
+
+#include <QCoreApplication>
+
+namespace cradle {
+
+namespace {
+
+struct TriedText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
+using Kind = Condition::Kind;
+
+/// \p text with the last right value and the first wrong one, told so that they differ.
+QString withLimits(const QString &text, const Condition &condition)
+{
+    const double in = condition.inside;
+    const double out = condition.outside;
+    return brief(in) == brief(out)
+               ? text.arg(motion::figureBeside(in, out), motion::figureBeside(out, in))
+               : text.arg(brief(in), brief(out));
+}
+
+QString countedIn(const Condition &condition)
+{
+    switch (condition.counted) {
+    case Condition::Counted::InRun:
+        break;
+    case Condition::Counted::OfCircle:
+        return TriedText::tr("of each circle in a run");
+    case Condition::Counted::AtWall:
+        return TriedText::tr("of each circle at each wall in a run");
+    }
+    return TriedText::tr("in a run");
+}
+
+QString limitText(Kind kind)
+{
+    switch (kind) {
+    case Kind::Pause:
+        return TriedText::tr("all that came %1 s or more after the one before, none that came "
+                             "within %2 s");
+    case Kind::Until:
+        return TriedText::tr("all up to %1 s of a run, none from %2 s on");
+    case Kind::From:
+        return TriedText::tr("all from %1 s of a run on, none up to %2 s");
+    case Kind::Above:
+        return TriedText::tr("all at y = %1 m and above, none at y = %2 m and below");
+    case Kind::Below:
+        return TriedText::tr("all at y = %1 m and below, none at y = %2 m and above");
+    case Kind::LeftOf:
+        return TriedText::tr("all at x = %1 m and left of it, none at x = %2 m and right of it");
+    case Kind::RightOf:
+        return TriedText::tr("all at x = %1 m and right of it, none at x = %2 m and left of it");
+    case Kind::Slower:
+        return TriedText::tr("all with up to %1 m/s, none with %2 m/s or more");
+    case Kind::Faster:
+        return TriedText::tr("all with %1 m/s or more, none with up to %2 m/s");
+    case Kind::SlowerInto:
+        return TriedText::tr("all with up to %1 m/s into the wall, none with %2 m/s or more");
+    case Kind::FasterInto:
+        return TriedText::tr("all with %1 m/s or more into the wall, none with up to %2 m/s");
+    case Kind::SlowerAlong:
+        return TriedText::tr("all with up to %1 m/s along the wall, none with %2 m/s or more");
+    case Kind::FasterAlong:
+        return TriedText::tr("all with %1 m/s or more along the wall, none with up to %2 m/s");
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+QString triedPhrase(const Condition &condition)
+{
+    switch (condition.kind) {
+    case Kind::Sometimes:
+    case Kind::Setting:
+        return {};
+    case Kind::First:
+        return TriedText::tr("the first %1, none of the later ones").arg(countedIn(condition));
+    case Kind::NotFirst:
+        return TriedText::tr("all but the first %1").arg(countedIn(condition));
+    case Kind::FirstFew:
+        return withLimits(TriedText::tr("all up to number %1, none from number %2 on, counted %3"),
+                          condition)
+            .arg(countedIn(condition));
+    case Kind::AfterFew:
+        return withLimits(TriedText::tr("all from number %1 on, none up to number %2, counted %3"),
+                          condition)
+            .arg(countedIn(condition));
+    case Kind::OddOnes:
+        return TriedText::tr("the first, the third and so on %1, none between them")
+            .arg(countedIn(condition));
+    case Kind::EvenOnes:
+        return TriedText::tr("the second, the fourth and so on %1, none between them")
+            .arg(countedIn(condition));
+    case Kind::BeforeMet:
+        return TriedText::tr("all before the two circles had hit each other, none after it");
+    case Kind::BeforeHit:
+        return TriedText::tr("all before the circles had hit a wall, none after it");
+    case Kind::AfterHit:
+        return TriedText::tr("all after the circles had hit a wall, none before it");
+    case Kind::Rightward:
+        return TriedText::tr("all that moved to the right, no others");
+    case Kind::Leftward:
+        return TriedText::tr("all that moved to the left, no others");
+    case Kind::Upward:
+        return TriedText::tr("all that moved upward, no others");
+    case Kind::Downward:
+        return TriedText::tr("all that moved downward, no others");
+    default:
+        return withLimits(limitText(condition.kind), condition);
+    }
+}
+
+QString triesTold(const std::vector<Occasion> &tries)
+{
+    constexpr std::size_t most = 2; // more are no help
+    const int right = rightOnes(tries);
+    const std::vector<Condition> all = conditionsOf(tries);
+    QStringList phrases;
+    for (const Condition &condition : all)
+        phrases.append(triedPhrase(condition));
+    phrases.removeAll(QString());
+    if (phrases.isEmpty() || all.size() > most)
+        return TriedText::tr("Of %1 tries, early and late, here and there, %n came out right.",
+                             nullptr, right)
+            .arg(tries.size());
+    const QString told =
+        TriedText::tr("Of %1 tries, early and late, here and there, %n came out right: %2.",
+                      nullptr, right)
+            .arg(QString::number(tries.size()), phrases.join(QStringLiteral("; ")));
+    return all.size() == 1 ? told
+                           : told + QLatin1Char(' ')
+                                 + TriedText::tr("Which of these counts, the tries do not show.");
+}
+
+} // namespace cradle
