@@ -85,10 +85,7 @@ private:
 QString statements(const ProgramLines &program)
 {
     Print print;
-    const QSet<QString> steps = program.timesteps();
-    QStringList names(steps.cbegin(), steps.cend());
-    names.sort();
-    print << names << deadLines(program)
+    print << program.timesteps() << deadLines(program)
           << copiesOf(program, {QStringLiteral("radius"), QStringLiteral("density")});
     for (const ProgramAssignment &each : assignmentsOf(program))
         print << each.line << each.name << each.isField << each.target << each.from << each.to

@@ -34,8 +34,7 @@ private slots:
 void TestProgramLines::timestepsAreKnown()
 {
     const ProgramLines program(QStringLiteral("function on_update(step_time)\n  x = dt\nend"));
-    QVERIFY(program.timesteps()
-            == (QSet<QString>{QStringLiteral("step_time"), QStringLiteral("dt")}));
+    QCOMPARE(program.timesteps(), (QStringList{QStringLiteral("step_time"), QStringLiteral("dt")}));
     QVERIFY(program.hasName(QStringLiteral("x")) && !program.hasName(QStringLiteral("end")));
     QCOMPARE(program.count(), 3);
     QCOMPARE(program.row(2), QStringLiteral("  x = dt"));

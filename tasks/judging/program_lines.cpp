@@ -44,11 +44,13 @@ void ProgramLines::note(std::size_t i)
                            || m_tokens[i + 2].is("velocity"));
     if (field && !(i > 0 && m_tokens[i - 1].is(".")))
         m_bodies[token.line].insert(token.text);
+    QString timestep;
     if (token.is("on_update") && is(i + 1, "(") && i + 2 < m_tokens.size())
-        m_timesteps.insert(m_tokens[i + 2].text);
-    if (token.text == QLatin1String("dt") || token.text == QLatin1String("timestep")
-        || token.text == QLatin1String("h"))
-        m_timesteps.insert(token.text);
+        timestep = m_tokens[i + 2].text;
+    if (token.is("dt") || token.is("timestep") || token.is("h"))
+        timestep = token.text;
+    if (!timestep.isEmpty() && !m_timesteps.contains(timestep))
+        m_timesteps.append(timestep);
 }
 
 QStringList ProgramLines::bodiesNear(int line) const

@@ -41,8 +41,8 @@ public:
     [[nodiscard]] bool hasName(const QString &name) const { return m_names.contains(name); }
     /// Whether something is read or written of it: v of v.x.
     [[nodiscard]] bool isOwner(const QString &name) const { return m_owners.contains(name); }
-    /// The names that stand for the timestep.
-    [[nodiscard]] const QSet<QString> &timesteps() const { return m_timesteps; }
+    /// The names that stand for the timestep, as they come; what is tried follows this order.
+    [[nodiscard]] const QStringList &timesteps() const { return m_timesteps; }
     /// At most three circles that are named in a line or in those around it, the nearest first.
     [[nodiscard]] QStringList bodiesNear(int line) const;
 
@@ -76,7 +76,7 @@ private:
     std::map<int, std::vector<std::size_t>> m_rowTokens{};
     QHash<QString, int> m_names{}; ///< how often each is named
     QSet<QString> m_owners{};
-    QSet<QString> m_timesteps{};
+    QStringList m_timesteps{};
     std::map<int, std::set<QString>> m_bodies{}; ///< names of circles, by line
 };
 

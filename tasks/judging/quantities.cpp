@@ -18,7 +18,7 @@ QStringList eitherWay(const QString &pattern, const QString &a, const QString &b
 
 } // namespace
 
-Quantities::Quantities(const NamesAtHand &names, const QSet<QString> &timesteps, Aspect aspect,
+Quantities::Quantities(const NamesAtHand &names, const QStringList &timesteps, Aspect aspect,
                        Suspect suspect)
     : m_names(names)
     , m_timesteps(timesteps)
@@ -32,7 +32,7 @@ Quantities::Quantities(const NamesAtHand &names, const QSet<QString> &timesteps,
     case Aspect::Motion:
         m_all = {QStringLiteral("gravity"), QStringLiteral("gravity.x"),
                  QStringLiteral("gravity.y")};
-        m_all += timesteps.values();
+        m_all += timesteps;
         break;
     case Aspect::Walls:
     case Aspect::Course:

@@ -12,7 +12,7 @@ namespace cradle {
 class Quantities
 {
 public:
-    Quantities(const NamesAtHand &names, const QSet<QString> &timesteps, Aspect aspect,
+    Quantities(const NamesAtHand &names, const QStringList &timesteps, Aspect aspect,
                Suspect suspect);
 
     /// What may stand in place of a whole value.
@@ -37,7 +37,7 @@ private:
     void addMasses();
 
     const NamesAtHand &m_names;
-    const QSet<QString> &m_timesteps;
+    const QStringList &m_timesteps;
     Aspect m_aspect;
     Suspect m_suspect;
     QStringList m_all{};
