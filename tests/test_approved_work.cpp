@@ -186,8 +186,8 @@ void TestApprovedWork::doingsAreAsApproved()
     QVERIFY(!writeFile(path("w/steps/BALL2.lua"), QByteArray("a\0b", 3)));
     add("foreign again", QString::number(work.canConvert(second)));
     add("begin anew", told(work.replaceForeign(m_lab, 1, false)));
-    for (const QString &id : work.history()->tasksWithVersions()) {
-        for (const Version &version : work.history()->versions(id))
+    for (const Task &task : m_lab.tasks) {
+        for (const Version &version : work.history()->versions(task.id))
             all += told(version) + u'|' + told(work.history()->textOf(version)).trimmed() + u'\n';
     }
     for (const int most : {0, 1, 2, 100})
