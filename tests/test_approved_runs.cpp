@@ -58,6 +58,15 @@ Circles mixed(Circles circles)
     return circles;
 }
 
+/// Small ones among four that are ten times as large.
+Circles giants()
+{
+    Circles all = crowd(70, 0.06, 1.5, 13, 2.2);
+    for (const Vec2 corner : {Vec2{-3, -3}, {3, -3}, {3, 3}, {-3, 3}})
+        all.push_back(circle(corner, {-0.5 * corner.y, 0.4 * corner.x}, 0.6));
+    return all;
+}
+
 /// Five in a row that touch, and one that comes.
 Circles cradleOfFive(double gap = 0.0)
 {
@@ -148,6 +157,8 @@ void TestApprovedRuns::everyBitIsAsApproved_data()
         add("gas that loses", made(crowd(80, 0.12, 3.0, 5), timing, 0.0, 0.6), 240);
         add("gas that falls", made(crowd(80, 0.12, 2.0, 6), timing, 9.81, 1.0), 180);
         add("all integrators", made(mixed(crowd(60, 0.2, 2.0, 7)), timing, 9.81, 0.9), 240);
+        add("giants", made(giants(), timing, 0.0, 1.0), 240);
+        add("giants that fall", made(giants(), timing, 9.81, 0.7), 120);
         add("heap", made(crowd(60, 0.2, 0.5, 8), timing, 9.81, 0.5), 240);
         add("heap without rebound", made(crowd(40, 0.2, 0.5, 9), timing, 9.81, 0.0), 180);
         add("cradle", made(cradleOfFive(), timing, 0.0, 1.0), 240);
