@@ -176,7 +176,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         f.answer = centreOfMass;
         f.answer.replace(lab("(1 + restitution)"), lab("2"));
     });
-    row("L42T16", "no e for circle 2", "Only circle 1 feels e", [](OtherForm &f) {
+    row("L42T16", "no e for circle 2", "Along the normal only circle 1 feels e", [](OtherForm &f) {
         edit(f.answer, "q.velocity + j / m2 * n",
              "q.velocity + 2 * j / (1 + restitution) / m2 * n");
     });

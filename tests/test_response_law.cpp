@@ -119,7 +119,7 @@ void TestResponseLaw::stepThatStopsBothSaysSo()
                                "p.velocity = q.velocity q.velocity = p.velocity"}) {
         const HitLaw law{.answer = text(answer)};
         const QString program = written(withHit(hitOf(hitWays[0], law)), structures[0]);
-        QCOMPARE(step.response(program), QStringList(text("A hit does not stop both circles")));
+        QCOMPARE(step.response(program), QStringList(text("Not every hit stops both circles")));
     }
 }
 

@@ -2451,14 +2451,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا شيء يدفع هناك: فهما تبقيان كما كانتا.</translation>
     </message>
     <message>
-        <source>Only circle 1 feels e</source>
-        <translation>لا يؤثر e إلا في الدائرة 1</translation>
-    </message>
-    <message>
-        <source>Only circle 2 feels e</source>
-        <translation>لا يؤثر e إلا في الدائرة 2</translation>
-    </message>
-    <message>
         <source>e changes nothing in the hits that were tried</source>
         <translation>لا يغيّر المعامل e شيئًا في التصادمات المجرَّبة</translation>
     </message>
@@ -2727,10 +2719,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تزالان محلَّلتين على خط المركزين: أعد تركيبهما.</translation>
     </message>
     <message>
-        <source>A hit does not stop both circles</source>
-        <translation>التصادم لا يوقف كلتا الدائرتين</translation>
-    </message>
-    <message>
         <source>The parts across the line of centres are changed</source>
         <translation>تتغير المركّبات المعامدة لخط المركزين</translation>
     </message>
@@ -2781,10 +2769,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>With e = %1 a hit does not come out right</source>
         <translation>مع ⁦e = %1⁩ لا تصح نتيجة التصادم</translation>
-    </message>
-    <message>
-        <source>Equal circles answer rightly, unequal ones do not</source>
-        <translation>الدائرتان المتساويتان تستجيبان استجابة صحيحة، وغير المتساويتين لا</translation>
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
@@ -3440,10 +3424,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
         <translation>قُذفت الدائرة ⁨%3⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ فمضت إلى ما بعده. انظر ما الذي يسأله برنامجك عنه وهل يكون الجواب نعم أبدًا.</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls turn %who round only at times</source>
-        <translation>التصادمات عند %walls لا تردّ %who إلا أحيانًا</translation>
     </message>
     <message>
         <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
@@ -4191,6 +4171,22 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
     <message>
         <source>A step moves %who nowhere</source>
         <translation>لا تتحرك %who في الخطوة</translation>
+    </message>
+    <message>
+        <source>Along the normal only circle 1 feels e</source>
+        <translation>على الناظم لا يؤثر e إلا في الدائرة 1</translation>
+    </message>
+    <message>
+        <source>Along the normal only circle 2 feels e</source>
+        <translation>على الناظم لا يؤثر e إلا في الدائرة 2</translation>
+    </message>
+    <message>
+        <source>Not every hit stops both circles</source>
+        <translation>ليس كل تصادم يوقف كلتا الدائرتين</translation>
+    </message>
+    <message>
+        <source>Equal circles answer rightly, not all unequal ones do</source>
+        <translation>الدائرتان المتساويتان تستجيبان استجابة صحيحة، لا كل دائرتين مختلفتين</translation>
     </message>
 </context>
 <context>

@@ -2311,14 +2311,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Dort drückt nichts: Sie bleiben, wie sie waren.</translation>
     </message>
     <message>
-        <source>Only circle 1 feels e</source>
-        <translation>Nur Kreis 1 spürt e</translation>
-    </message>
-    <message>
-        <source>Only circle 2 feels e</source>
-        <translation>Nur Kreis 2 spürt e</translation>
-    </message>
-    <message>
         <source>e changes nothing in the hits that were tried</source>
         <translation>In den erprobten Stößen ändert e nichts</translation>
     </message>
@@ -2623,10 +2615,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>In deiner eigenen Szene benutzt der Stoß nicht das e, das sie hat</translation>
     </message>
     <message>
-        <source>Equal circles answer rightly, unequal ones do not</source>
-        <translation>Gleiche Kreise antworten richtig, ungleiche nicht</translation>
-    </message>
-    <message>
         <source>The normal of the side walls points along x, that of floor and ceiling along y.</source>
         <translation>Die Normale der Seitenwände zeigt längs x, die von Boden und Decke längs y.</translation>
     </message>
@@ -2653,10 +2641,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>Along the line of centres circle 1 had %1 m/s and circle 2 %2 m/s, so they came nearer with %3 m/s, and ran into each other; other meetings are answered. What counts is the velocity of one relative to the other.</source>
         <translation>Längs der Verbindungslinie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie kamen sich also mit %3 m/s näher und liefen ineinander, während andere Begegnungen beantwortet werden. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
-    </message>
-    <message>
-        <source>A hit does not stop both circles</source>
-        <translation>Ein Stoß hält nicht beide Kreise an</translation>
     </message>
     <message>
         <source>The circles are put back and keep their velocities</source>
@@ -3418,10 +3402,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Mit %2 m/s zu %1 geworfen, ging Kreis %3 darüber hinaus. Sieh dir an, was dein Programm dafür fragt und ob die Antwort je Ja ist.</translation>
     </message>
     <message>
-        <source>Hits at the %walls turn %who round only at times</source>
-        <translation>Stöße an %walls kehren %who nur manchmal um</translation>
-    </message>
-    <message>
         <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
         <translation>Mit %2 m/s von %3 m aus zu %1 geworfen, ging Kreis %4 darüber hinaus; mit %5 m/s von %6 m aus kehrt er um. Sieh dir an, was dein Programm außerdem fragt: Es zählt nur, ob der Rand jenseits der Wand ist und der Kreis sich in sie hinein bewegt.</translation>
     </message>
@@ -4147,6 +4127,22 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>A step moves %who nowhere</source>
         <translation>Ein Schritt bewegt nichts vom Fleck (%who)</translation>
+    </message>
+    <message>
+        <source>Along the normal only circle 1 feels e</source>
+        <translation>Längs der Normalen spürt nur Kreis 1 e</translation>
+    </message>
+    <message>
+        <source>Along the normal only circle 2 feels e</source>
+        <translation>Längs der Normalen spürt nur Kreis 2 e</translation>
+    </message>
+    <message>
+        <source>Not every hit stops both circles</source>
+        <translation>Nicht jeder Stoß hält beide Kreise an</translation>
+    </message>
+    <message>
+        <source>Equal circles answer rightly, not all unequal ones do</source>
+        <translation>Gleiche Kreise antworten richtig, nicht alle ungleichen</translation>
     </message>
 </context>
 <context>

@@ -2427,14 +2427,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Rien ne pousse dans cette direction&#xa0;: elles restent comme elles étaient.</translation>
     </message>
     <message>
-        <source>Only circle 1 feels e</source>
-        <translation>e n&apos;agit que sur le cercle 1</translation>
-    </message>
-    <message>
-        <source>Only circle 2 feels e</source>
-        <translation>e n&apos;agit que sur le cercle 2</translation>
-    </message>
-    <message>
         <source>e changes nothing in the hits that were tried</source>
         <translation>e ne change rien dans les chocs essayés</translation>
     </message>
@@ -2703,10 +2695,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Elles sont encore décomposées suivant la ligne des centres&#xa0;: recomposez-les.</translation>
     </message>
     <message>
-        <source>A hit does not stop both circles</source>
-        <translation>Un choc n&apos;arrête pas les deux cercles</translation>
-    </message>
-    <message>
         <source>The parts across the line of centres are changed</source>
         <translation>Les composantes perpendiculaires à la ligne des centres sont changées</translation>
     </message>
@@ -2757,10 +2745,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>With e = %1 a hit does not come out right</source>
         <translation>Avec e = %1, un choc ne donne pas le bon résultat</translation>
-    </message>
-    <message>
-        <source>Equal circles answer rightly, unequal ones do not</source>
-        <translation>Des cercles égaux réagissent bien, des cercles inégaux non</translation>
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
@@ -3416,10 +3400,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
         <translation>Lancé vers %1 à %2 m/s, le cercle %3 a continué au-delà. Regardez ce que votre programme demande pour elle, et si la réponse est parfois oui.</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls turn %who round only at times</source>
-        <translation>Les chocs contre %walls ne renvoient %who que parfois</translation>
     </message>
     <message>
         <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
@@ -4147,6 +4127,22 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
     <message>
         <source>A step moves %who nowhere</source>
         <translation>Un pas ne déplace rien (%who)</translation>
+    </message>
+    <message>
+        <source>Along the normal only circle 1 feels e</source>
+        <translation>Suivant la normale, e n&apos;agit que sur le cercle 1</translation>
+    </message>
+    <message>
+        <source>Along the normal only circle 2 feels e</source>
+        <translation>Suivant la normale, e n&apos;agit que sur le cercle 2</translation>
+    </message>
+    <message>
+        <source>Not every hit stops both circles</source>
+        <translation>Certains chocs n&apos;arrêtent pas les deux cercles</translation>
+    </message>
+    <message>
+        <source>Equal circles answer rightly, not all unequal ones do</source>
+        <translation>Des cercles égaux réagissent bien, mais pas tous les cercles inégaux</translation>
     </message>
 </context>
 <context>

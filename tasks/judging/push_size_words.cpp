@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/checks/figures.h"
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/likeness.h"
 #include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
@@ -126,9 +126,8 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
                           .arg(briefTimestep(hit.stage.preset.timestep), brief(factor),
                                briefTimestep(mine.stage.preset.timestep), brief(other))};
     }
-    return {
-        ResponseText::tr("Between equal circles the push is %1 times as large as it should be")
-            .arg(brief(factor) == brief(1.0) ? motion::figureBeside(factor, 1.0) : brief(factor))};
+    return {ResponseText::tr("Between equal circles the push is %1 times as large as it should be")
+                .arg(briefBeside(factor, 1.0))};
 }
 
 } // namespace cradle

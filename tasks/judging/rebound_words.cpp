@@ -138,9 +138,9 @@ private:
             return std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2);
         });
         if (isLaw(same, one))
-            return add(ReboundText::tr("Only circle 1 feels e"));
+            return add(ReboundText::tr("Along the normal only circle 1 feels e"));
         if (isLaw(one, same))
-            return add(ReboundText::tr("Only circle 2 feels e"));
+            return add(ReboundText::tr("Along the normal only circle 2 feels e"));
         if (findFactor())
             return;
         findNumbers();

@@ -86,7 +86,7 @@ private:
         if (std::all_of(hits.begin(), hits.end(), [](const EqualHit &h) {
                 return isSameAnswer(h.right, PairVelocities{});
             })) {
-            add(ResponseText::tr("A hit does not stop both circles"), describeEquals(hit, right),
+            add(ResponseText::tr("Not every hit stops both circles"), describeEquals(hit, right),
                 hit);
             return;
         }

@@ -107,7 +107,7 @@ private:
         take(responseDeviation(
             isLossy ? ResponseText::tr("With e = %1 a hit does not come out right")
                           .arg(brief(m.restitution))
-                    : ResponseText::tr("Equal circles answer rightly, unequal ones do not"),
+                    : ResponseText::tr("Equal circles answer rightly, not all unequal ones do"),
             ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
                     .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
                          brief(m.restitution))

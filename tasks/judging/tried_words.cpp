@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/tried_words.h"
 
-#include "tasks/checks/figures.h"
-#include "tasks/judging/deviation.h"
+#include "tasks/judging/brief_beside.h"
 
 #include <QCoreApplication>
 
@@ -20,11 +19,8 @@ using Kind = Condition::Kind;
 /// \p text with the last right value and the first wrong one, told so that they differ.
 QString withLimits(const QString &text, const Condition &condition)
 {
-    const double in = condition.inside;
-    const double out = condition.outside;
-    return brief(in) == brief(out)
-               ? text.arg(motion::figureBeside(in, out), motion::figureBeside(out, in))
-               : text.arg(brief(in), brief(out));
+    return text.arg(briefBeside(condition.inside, condition.outside),
+                    briefBeside(condition.outside, condition.inside));
 }
 
 QString countedIn(const Condition &condition)

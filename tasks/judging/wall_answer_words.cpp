@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/wall_comparison.h"
 
-#include "tasks/checks/figures.h"
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/likeness.h"
 
 #include <algorithm>
@@ -84,7 +84,8 @@ private:
         return withE(hit)
                + WallText::tr("Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 "
                               "m/s is right.")
-                     .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left), brief(good))
+                     .arg(motion::wallName(hit.wall), brief(hit.came), briefBeside(hit.left, good),
+                          briefBeside(good, hit.left))
                      .arg(hit.circle + 1);
     }
 
@@ -199,8 +200,7 @@ private:
                 extremes(m_own.hits[*lowest], m_own.hits[*highest])};
         const double asked = rightOf(static_cast<std::size_t>(&hit - m_own.hits.data())).back;
         return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
-                    .arg(brief(hit.back) == brief(asked) ? motion::figureBeside(hit.back, asked)
-                                                         : brief(hit.back)),
+                    .arg(briefBeside(hit.back, asked)),
                 lookAtNew()};
     }
 

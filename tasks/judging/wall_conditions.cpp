@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/condition_comparison.h"
 
-#include "tasks/checks/figures.h"
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/wall_comparison.h"
 
 #include <map>
@@ -252,9 +252,7 @@ private:
         const Vec2 t = perpendicular(n);
         const Vec2 good =
             -right.hit.back * dot(hit.came, n) * n + right.hit.along * dot(hit.came, t) * t;
-        return brief(hit.left) == brief(good) ? seen.arg(motion::figureBeside(hit.left, good),
-                                                         motion::figureBeside(good, hit.left))
-                                              : seen.arg(brief(hit.left), brief(good));
+        return seen.arg(briefBeside(hit.left, good), briefBeside(good, hit.left));
     }
 
     /// One that comes out right, at the same wall if there is one, to be looked at beside \p wrong.

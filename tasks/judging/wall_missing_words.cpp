@@ -104,7 +104,7 @@ private:
     {
         const WallHit &turned = *hitOf(hit.circle, hit.wall, true);
         LawDeviation found = deviation(
-            WallText::tr("Hits at the %walls turn %who round only at times"),
+            WallText::tr("Some hits of %who at the %walls are not answered"),
             WallText::tr("Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with "
                          "%5 m/s from %6 m it is turned round. Look at what your program asks "
                          "besides whether the rim is past the wall and the circle moves into it.")

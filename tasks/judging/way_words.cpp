@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/flight_comparison.h"
 
 namespace cradle {
@@ -72,8 +73,9 @@ private:
         const QString seen =
             FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with "
                            "%4 m/s %5 m; v Δt is %6 and %7 m.")
-                .arg(brief(a.velocity), briefTimestep(h), brief(a.way), brief(b.velocity),
-                     brief(b.way), brief(h * a.velocity), brief(h * b.velocity));
+                .arg(brief(a.velocity), briefTimestep(h), briefBeside(a.way, h * a.velocity),
+                     brief(b.velocity), briefBeside(b.way, h * b.velocity),
+                     briefBeside(h * a.velocity, a.way), briefBeside(h * b.velocity, b.way));
         const auto tell = [&](const QString &headline, const QString &why) {
             return said(headline, seen + QLatin1Char(' ') + why, true);
         };
