@@ -3,6 +3,8 @@
 #include "views/action_button.h"
 
 #include <QAction>
+#include <QStyleOptionButton>
+#include <QStylePainter>
 
 #include <algorithm>
 
@@ -65,6 +67,25 @@ QSize ActionButton::sizeHint() const
 {
     const int spare = m_collapsed ? -2 * iconAside : widestText() - widthOf(text());
     return QPushButton::sizeHint() + QSize(spare, 0);
+}
+
+/// From right to left, Qt's style sheets draw the icon of a button that is wider than it need be in
+/// its middle and the text at its far end; given no more room than they need, the two stand beside
+/// each other.
+void ActionButton::paintEvent(QPaintEvent *event)
+{
+    const int spare = width() - QPushButton::sizeHint().width();
+    if (!isRightToLeft() || spare <= 0) {
+        QPushButton::paintEvent(event);
+        return;
+    }
+    QStylePainter painter(this);
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    painter.drawControl(QStyle::CE_PushButtonBevel, option);
+    option.rect = style()->subElementRect(QStyle::SE_PushButtonContents, &option, this);
+    option.rect.adjust(spare / 2, 0, spare / 2 - spare, 0);
+    painter.drawControl(QStyle::CE_PushButtonLabel, option);
 }
 
 void ActionButton::followAction()

@@ -28,6 +28,9 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override;
 
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
 private:
     void followAction();
     [[nodiscard]] int widthOf(const QString &text) const;

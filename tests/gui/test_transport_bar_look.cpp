@@ -5,6 +5,8 @@
 #include "views/theme.h"
 #include "views/transport_bar.h"
 
+#include <QAction>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -14,6 +16,9 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace cradle;
 
 /// What the transport bar shows, and how it fits.
@@ -22,11 +27,14 @@ class TestTransportBarLook final : public QObject
     Q_OBJECT
 private slots:
     void initTestCase() { applyTheme(ThemeChoice::Light); }
+    void cleanup() { QGuiApplication::setLayoutDirection(Qt::LeftToRight); }
     void readoutDoesNotJump();
     void checkBecomesStop();
     void modesAppearFromTwoOn();
     void fitsNarrowWindows();
     void focusedControlsKeepTheirKeys();
+    void iconStandsBesideTheText_data();
+    void iconStandsBesideTheText();
 };
 
 void TestTransportBarLook::readoutDoesNotJump()
@@ -153,6 +161,48 @@ void TestTransportBarLook::focusedControlsKeepTheirKeys()
     QTest::keyClick(step, Qt::Key_Space);
     QVERIFY(!simulation.isRunning());
     QVERIFY(simulation.current() > 0);
+}
+
+void TestTransportBarLook::iconStandsBesideTheText_data()
+{
+    QTest::addColumn<Qt::LayoutDirection>("direction");
+    QTest::newRow("left to right") << Qt::LeftToRight;
+    QTest::newRow("right to left") << Qt::RightToLeft;
+}
+
+/// Also where the button is wide enough for another text than the one it shows.
+void TestTransportBarLook::iconStandsBesideTheText()
+{
+    QFETCH(Qt::LayoutDirection, direction);
+    QGuiApplication::setLayoutDirection(direction);
+    QAction action(QStringLiteral("Run"));
+    ActionButton button(&action);
+    button.setIconName(QStringLiteral("run"));
+    button.setTexts({QStringLiteral("Go on for a while")});
+    button.resize(button.sizeHint());
+    const QImage drawn = button.grab().toImage();
+    const int middle = drawn.height() / 2;
+    const auto isBlank = [&](int x) {
+        for (int y = middle - 6; y <= middle + 6; ++y) {
+            if (drawn.pixel(x, y) != drawn.pixel(x, middle - 8))
+                return false;
+        }
+        return true;
+    };
+    constexpr int edge = 8; // px, with the border
+    QList<int> inked;
+    for (int x = edge; x < drawn.width() - edge; ++x) {
+        if (!isBlank(x))
+            inked << x;
+    }
+    QVERIFY(inked.size() > 10);
+    int widest = 0;
+    for (qsizetype i = 1; i < inked.size(); ++i)
+        widest = std::max(widest, inked[i] - inked[i - 1]);
+    QVERIFY2(widest < 16, qPrintable(QStringLiteral("%1 px apart").arg(widest)));
+    // And both in the middle.
+    const int aside = inked.front() - (drawn.width() - 1 - inked.back());
+    QVERIFY2(std::abs(aside) < 10, qPrintable(QStringLiteral("%1 px aside").arg(aside)));
 }
 
 QTEST_MAIN(TestTransportBarLook)
