@@ -30,7 +30,7 @@ QLayoutItem *FlowLayout::takeAt(int index)
 
 QSize FlowLayout::sizeHint() const
 {
-    QSize all;
+    QSize all{0, 0};
     for (const auto &item : m_items) {
         if (item->isEmpty())
             continue;
@@ -38,17 +38,17 @@ QSize FlowLayout::sizeHint() const
         all = {all.width() + size.width() + (all.isEmpty() ? 0 : spacing()),
                std::max(all.height(), size.height())};
     }
-    return all;
+    return all.grownBy(contentsMargins());
 }
 
 QSize FlowLayout::minimumSize() const
 {
-    QSize widest;
+    QSize widest{0, 0};
     for (const auto &item : m_items) {
         if (!item->isEmpty())
             widest = widest.expandedTo(item->sizeHint());
     }
-    return widest;
+    return widest.grownBy(contentsMargins());
 }
 
 int FlowLayout::heightForWidth(int width) const
@@ -62,8 +62,9 @@ void FlowLayout::setGeometry(const QRect &rect)
     arrange(rect, true);
 }
 
-int FlowLayout::arrange(const QRect &rect, bool places) const
+int FlowLayout::arrange(const QRect &whole, bool places) const
 {
+    const QRect rect = whole.marginsRemoved(contentsMargins());
     const Qt::LayoutDirection direction =
         parentWidget() ? parentWidget()->layoutDirection() : Qt::LeftToRight;
     int x = rect.left();
@@ -83,7 +84,7 @@ int FlowLayout::arrange(const QRect &rect, bool places) const
         x += size.width() + spacing();
         row = std::max(row, size.height());
     }
-    return y + row - rect.top();
+    return y + row - rect.top() + whole.height() - rect.height();
 }
 
 } // namespace cradle

@@ -28,8 +28,8 @@ public:
     void setGeometry(const QRect &rect) override;
 
 private:
-    /// \return the height that all rows need, px
-    int arrange(const QRect &rect, bool places) const;
+    /// \return the height that all rows need, with the margins, px
+    int arrange(const QRect &whole, bool places) const;
 
     std::vector<std::unique_ptr<QLayoutItem>> m_items;
 };
