@@ -4,6 +4,7 @@
 #include "tests/cli/check_run.h"
 #include "tests/test_paths.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 

@@ -8,6 +8,7 @@
 #include "views/author/lab_dialog.h"
 #include "views/code/code_editor.h"
 
+#include <QJsonArray>
 #include <QPlainTextEdit>
 #include <Qsci/qsciscintilla.h>
 
