@@ -26,7 +26,6 @@ private slots:
     void wallsStopADrag();
     void laterDragOnlyTellsWhatToDo();
     void clickSelects();
-    void doubleClickActivates();
     void tabGoesFromCircleToCircle();
     void controlArrowsNudge();
     void deleteAndDuplicateByKey();
@@ -146,17 +145,6 @@ void TestSceneEditing::clickSelects()
     scene.view.select(17);
     QCOMPARE(scene.view.selected(), -1);
     QCOMPARE(scene.document.undoStack().count(), 0);
-}
-
-void TestSceneEditing::doubleClickActivates()
-{
-    Scene scene;
-    QSignalSpy activated(&scene.view, &SceneView::circleActivated);
-    QTest::mouseDClick(&scene.view, Qt::LeftButton, {}, scene.pixel({2.0, 2.0}));
-    QCOMPARE(activated.count(), 1);
-    QCOMPARE(activated.first().first().toInt(), 1);
-    QTest::mouseDClick(&scene.view, Qt::LeftButton, {}, scene.pixel({0.0, 0.0}));
-    QCOMPARE(activated.count(), 1);
 }
 
 void TestSceneEditing::tabGoesFromCircleToCircle()

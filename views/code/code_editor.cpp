@@ -40,8 +40,6 @@ CodeEditor::CodeEditor(QWidget *parent)
         m_edited = true;
         QMetaObject::invokeMethod(this, &CodeEditor::tellEdit, Qt::QueuedConnection);
     });
-    connect(m_area, &QsciScintilla::cursorPositionChanged, this,
-            [this](int line, int column) { emit cursorMoved(line + 1, column + 1); });
     connect(m_area, &LuaArea::helpRequested, this,
             [this] { emit helpRequested(wordUnderCursor()); });
     connect(m_area, &LuaArea::escapePressed, this, &CodeEditor::escapePressed);

@@ -90,7 +90,6 @@ signals:
     /// The user has edited, with undo and redo; once for all that one event does, soon after it.
     void textEdited();
     void helpRequested(const QString &word); ///< F1; \p word may be empty
-    void cursorMoved(int line, int column);  ///< from 1
     void zoomChanged(int steps);
     void escapePressed(); ///< with nothing open over the text
 

@@ -83,9 +83,8 @@ public slots:
 
 signals:
     void selectionChanged(int index);
-    void circleActivated(int index); ///< it was double clicked
-    void newRunRequested();          ///< from the moment shown
-    void toldToShow();               ///< options, another run or a way to draw them
+    void newRunRequested(); ///< from the moment shown
+    void toldToShow();      ///< options, another run or a way to draw them
 
 protected:
     bool event(QEvent *event) override;
@@ -94,7 +93,6 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
     void leaveEvent(QEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;

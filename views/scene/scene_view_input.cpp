@@ -173,13 +173,6 @@ void SceneView::endPress()
     refresh();
 }
 
-void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
-{
-    mousePressEvent(event);
-    if (event->button() == Qt::LeftButton && m_press.handle.kind != Handle::Kind::None)
-        emit circleActivated(m_press.handle.index);
-}
-
 void SceneView::leaveEvent(QEvent *event)
 {
     QWidget::leaveEvent(event);
