@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/choices.h"
 
+#include "app/announcer.h"
 #include "app/language.h"
 #include "app/notice_bar.h"
 #include "app/panes.h"
 #include "app/room.h"
 #include "app/sounds.h"
 #include "app/workbench.h"
-#include "views/announcer.h"
 #include "views/scene/scene_view.h"
 
 #include <QSettings>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panes.h"
 
+#include "app/announcer.h"
 #include "app/notice_bar.h"
 #include "app/workbench.h"
-#include "views/announcer.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
@@ -21,7 +21,7 @@
 #include "views/task_pane/task_pane.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QDockWidget>
 #include <QMainWindow>

@@ -11,7 +11,7 @@
 #include "views/charts/speed_histogram.h"
 #include "views/scene/scene_view.h"
 #include "views/sound/tone.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QFileDialog>
 

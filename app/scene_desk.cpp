@@ -8,7 +8,7 @@
 #include "views/console_view.h"
 #include "views/inspector/inspector.h"
 #include "views/scene/scene_view.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 namespace cradle {
 

@@ -8,7 +8,7 @@
 #include "views/charts/speed_histogram.h"
 #include "views/task_pane/task_pane.h"
 #include "views/transport_bar.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/verdict_desk.h"
 
+#include "app/announcer.h"
 #include "app/code_desk.h"
 #include "app/panes.h"
 #include "tasks/lab_report/lab_report.h"
-#include "views/announcer.h"
 #include "views/task_pane/result_cards.h"
 #include "views/task_pane/task_pane.h"
 #include "views/timeline.h"

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/view_menu.h"
 
+#include "app/announcer.h"
 #include "app/language.h"
 #include "app/main_window.h"
 #include "app/menu_entries.h"
 #include "app/workbench.h"
-#include "views/announcer.h"
 #include "views/charts/chart_pane.h"
 #include "views/scene/scene_view.h"
 

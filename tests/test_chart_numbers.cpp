@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/nice_scale.h"
-#include "views/charts/number_text.h"
+#include "views/number_text.h"
 
 #include <QTest>
 

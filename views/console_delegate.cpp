@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/console_delegate.h"
 
-#include "views/charts/number_text.h"
 #include "views/console_model.h"
+#include "views/number_text.h"
 #include "views/theme.h"
 
 #include <QPainter>

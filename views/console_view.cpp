@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/console_view.h"
 
-#include "views/charts/frame_throttle.h"
 #include "views/console_delegate.h"
 #include "views/console_model.h"
 #include "views/error_line.h"
+#include "views/frame_throttle.h"
 #include "views/menu.h"
 #include "views/theme.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/run/simulation.h"
-#include "views/charts/hit_columns.h"
+#include "views/hit_columns.h"
 
 #include <QAbstractSlider>
 

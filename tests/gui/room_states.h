@@ -5,7 +5,7 @@
 #include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/spoken_language.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QHash>
 #include <QTabWidget>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/charts/frame_throttle.h"
+#include "views/frame_throttle.h"
 
 #include <QApplication>
 #include <QTest>

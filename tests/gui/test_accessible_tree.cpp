@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/announcer.h"
 #include "app/main_window.h"
 #include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
-#include "views/announcer.h"
 #include "views/charts/chart_plot.h"
 #include "views/markdown_view.h"
 #include "views/spoken_formula.h"

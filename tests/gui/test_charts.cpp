@@ -4,7 +4,7 @@
 #include "tests/gui/settled.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
-#include "views/charts/number_text.h"
+#include "views/number_text.h"
 
 #include "model/world/measurements.h"
 

@@ -3,7 +3,7 @@
 #include "tests/gui/calm.h"
 #include "tests/gui/console_fixture.h"
 #include "views/error_line.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QSignalSpy>
 #include <QTabBar>

@@ -3,9 +3,9 @@
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
 #include "tests/showing_program.h"
-#include "views/charts/deviation_text.h"
-#include "views/charts/values_model.h"
-#include "views/values_table.h"
+#include "views/values/deviation_text.h"
+#include "views/values/values_model.h"
+#include "views/values/values_table.h"
 
 #include <QLabel>
 #include <QMenuBar>

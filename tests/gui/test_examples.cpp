@@ -5,7 +5,7 @@
 #include "views/charts/speed_histogram.h"
 #include "views/charts/speed_plot.h"
 #include "views/task_pane/instructions_pane.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QMenuBar>
 #include <QTabWidget>

@@ -11,7 +11,7 @@
 #include "views/task_pane/step_dots.h"
 #include "views/timeline.h"
 #include "views/transport_bar.h"
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
 #include <QMenuBar>
 

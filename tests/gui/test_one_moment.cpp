@@ -10,10 +10,10 @@
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
 #include "views/charts/phase_plot.h"
-#include "views/charts/values_model.h"
 #include "views/theme.h"
 #include "views/timeline.h"
-#include "views/values_table.h"
+#include "views/values/values_model.h"
+#include "views/values/values_table.h"
 
 #include <QTabWidget>
 

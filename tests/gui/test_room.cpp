@@ -3,14 +3,14 @@
 #include "app/main_window.h"
 #include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
-#include "views/charts/values_model.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/markdown_view.h"
 #include "views/task_pane/instructions_pane.h"
 #include "views/task_pane/result_pane.h"
 #include "views/task_pane/step_dots.h"
-#include "views/values_table.h"
+#include "views/values/values_model.h"
+#include "views/values/values_table.h"
 
 #include <QAbstractAnimation>
 #include <QHeaderView>

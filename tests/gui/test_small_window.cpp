@@ -3,8 +3,8 @@
 #include "app/main_window.h"
 #include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
-#include "views/charts/sentence_label.h"
-#include "views/values_table.h"
+#include "views/sentence_label.h"
+#include "views/values/values_table.h"
 
 #include <QHeaderView>
 #include <QScrollBar>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/settled.h"
-#include "views/charts/hits_model.h"
-#include "views/charts/values_model.h"
-#include "views/values_table.h"
+#include "views/values/hits_model.h"
+#include "views/values/values_model.h"
+#include "views/values/values_table.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

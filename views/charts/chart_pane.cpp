@@ -3,10 +3,10 @@
 #include "views/charts/chart_pane.h"
 
 #include "tasks/text/spoken_locale.h"
-#include "views/charts/frame_throttle.h"
 #include "views/charts/pin_legend.h"
 #include "views/charts/quiet_button.h"
 #include "views/circle_name.h"
+#include "views/frame_throttle.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>

@@ -3,7 +3,7 @@
 // Pointer and zoom of ChartPane.
 #include "views/charts/chart_pane.h"
 
-#include "views/charts/frame_throttle.h"
+#include "views/frame_throttle.h"
 
 namespace cradle {
 

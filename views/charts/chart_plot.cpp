@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/chart_plot.h"
 
-#include "views/charts/hit_columns.h"
 #include "views/charts/note_place.h"
-#include "views/charts/number_text.h"
-#include "views/charts/subscript_text.h"
+#include "views/hit_columns.h"
+#include "views/number_text.h"
+#include "views/subscript_text.h"
 
 #include <QFontMetricsF>
 

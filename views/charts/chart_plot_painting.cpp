@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ChartPlot draws over its curves.
 #include "views/charts/chart_plot.h"
-#include "views/charts/subscript_text.h"
+#include "views/subscript_text.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>

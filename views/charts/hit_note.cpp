@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/hit_note.h"
 
-#include "views/charts/hit_columns.h"
-#include "views/charts/number_text.h"
-#include "views/charts/subscript_text.h"
+#include "views/hit_columns.h"
+#include "views/number_text.h"
+#include "views/subscript_text.h"
 #include "views/theme.h"
 
 #include <QCoreApplication>

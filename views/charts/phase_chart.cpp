@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/phase_chart.h"
 
-#include "views/charts/frame_throttle.h"
 #include "views/charts/phase_plot.h"
 #include "views/charts/pinned_runs.h"
 #include "views/charts/quiet_button.h"
+#include "views/frame_throttle.h"
 #include "views/menu.h"
 #include "views/theme.h"
 

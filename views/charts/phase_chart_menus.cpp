@@ -4,10 +4,10 @@
 #include "views/charts/phase_chart.h"
 
 #include "model/world/shortest_number.h"
-#include "views/charts/frame_throttle.h"
-#include "views/charts/number_text.h"
 #include "views/charts/phase_plot.h"
+#include "views/frame_throttle.h"
 #include "views/menu.h"
+#include "views/number_text.h"
 #include "views/theme.h"
 
 #include <QPainter>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/pinned_runs.h"
 
-#include "views/charts/number_text.h"
+#include "views/number_text.h"
 
 #include <algorithm>
 #include <array>

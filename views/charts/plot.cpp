@@ -4,7 +4,7 @@
 #include "views/charts/plot.h"
 
 #include "views/charts/needed_points.h"
-#include "views/charts/number_text.h"
+#include "views/number_text.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>

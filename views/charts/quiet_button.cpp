@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/quiet_button.h"
 
-#include "views/charts/subscript_text.h"
+#include "views/subscript_text.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/speed_histogram.h"
 
-#include "views/charts/frame_throttle.h"
 #include "views/charts/nice_scale.h"
-#include "views/charts/number_text.h"
-#include "views/charts/sentence_label.h"
 #include "views/charts/speed_plot.h"
+#include "views/frame_throttle.h"
+#include "views/number_text.h"
+#include "views/sentence_label.h"
 #include "views/theme.h"
 
 #include <QEvent>

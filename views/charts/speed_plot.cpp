@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/speed_plot.h"
 
-#include "views/charts/number_text.h"
 #include "views/charts/speed_distribution.h"
+#include "views/number_text.h"
 #include "views/text_direction.h"
 #include "views/theme.h"
 

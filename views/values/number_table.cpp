@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/number_table.h"
+#include "views/values/number_table.h"
 
-#include "views/charts/symbol_header.h"
 #include "views/theme.h"
+#include "views/values/symbol_header.h"
 
 namespace cradle {
 

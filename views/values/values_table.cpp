@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/values_table.h"
+#include "views/values/values_table.h"
 
-#include "views/charts/frame_throttle.h"
-#include "views/charts/hits_model.h"
-#include "views/charts/number_table.h"
-#include "views/charts/table_text.h"
-#include "views/charts/values_model.h"
 #include "views/fitted_tabs.h"
+#include "views/frame_throttle.h"
 #include "views/menu.h"
 #include "views/theme.h"
-#include "views/values_tab.h"
+#include "views/values/hits_model.h"
+#include "views/values/number_table.h"
+#include "views/values/table_text.h"
+#include "views/values/values_model.h"
+#include "views/values/values_tab.h"
 
 #include <QAction>
 #include <QClipboard>

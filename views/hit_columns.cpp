@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/hit_columns.h"
+#include "views/hit_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ bool isBefore(const Encounter &hit, double time)
 }
 
 /// The first hit not before \p time, which is likely to be near: looks twice as far each time.
-HitIterator gallop(HitIterator from, HitIterator end, double time)
+HitIterator gallop(HitIterator from, const HitIterator &end, double time)
 {
     std::ptrdiff_t stride = 1;
     while (end - from > stride && isBefore(from[stride], time)) {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/values_tab.h"
+#include "views/values/values_tab.h"
 
-#include "views/charts/deviation_text.h"
-#include "views/charts/hit_columns.h"
-#include "views/charts/hits_model.h"
-#include "views/charts/number_table.h"
-#include "views/charts/number_text.h"
-#include "views/charts/sentence_label.h"
-#include "views/charts/values_model.h"
+#include "views/hit_columns.h"
+#include "views/number_text.h"
+#include "views/sentence_label.h"
 #include "views/theme.h"
+#include "views/values/deviation_text.h"
+#include "views/values/hits_model.h"
+#include "views/values/number_table.h"
+#include "views/values/values_model.h"
 
 #include <QHeaderView>
 #include <QScrollBar>

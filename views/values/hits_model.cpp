@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/hits_model.h"
+#include "views/values/hits_model.h"
 
-#include "views/charts/hit_columns.h"
-#include "views/charts/number_text.h"
+#include "views/hit_columns.h"
+#include "views/number_text.h"
 #include "views/theme.h"
 
 #include <algorithm>

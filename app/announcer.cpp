@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/announcer.h"
+#include "app/announcer.h"
 
-#include "views/charts/hits_model.h"
 #include "views/scene/handles.h"
+#include "views/values/hits_model.h"
 
 #include <QAccessible>
 

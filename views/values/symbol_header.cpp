@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/symbol_header.h"
+#include "views/values/symbol_header.h"
 
-#include "views/charts/number_text.h"
-#include "views/charts/subscript_text.h"
+#include "views/number_text.h"
+#include "views/subscript_text.h"
 #include "views/theme.h"
 
 #include <QFontMetricsF>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/sentence_label.h"
+#include "views/sentence_label.h"
 
 #include <QFontMetrics>
 

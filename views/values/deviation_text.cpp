@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/deviation_text.h"
+#include "views/values/deviation_text.h"
 
 #include "model/run/simulation.h"
 #include "model/world/measurements.h"
-#include "views/charts/number_text.h"
+#include "views/number_text.h"
 
 #include <QCoreApplication>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/charts/values_model.h"
+#include "views/values/values_model.h"
 
-#include "views/charts/number_text.h"
 #include "views/circle_name.h"
+#include "views/number_text.h"
 #include "views/theme.h"
 
 #include <array>
