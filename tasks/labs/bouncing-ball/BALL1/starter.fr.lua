@@ -1,4 +1,6 @@
--- La balle qui rebondit. Longueurs en m, temps en s, vitesses en m/s, accélérations en m/s².
+-- La balle qui rebondit.
+-- Longueurs en m, temps en s, vitesses en m/s, accélérations
+-- en m/s².
 
 -- Exécutée une fois, quand la scène est en place.
 function on_load()
@@ -7,5 +9,6 @@ end
 
 -- Exécutée à chaque pas ; timestep est la durée du pas.
 function on_update(timestep)
-  -- D'abord gravity change la vitesse de circle1, puis cette vitesse le déplace.
+  -- D'abord gravity change la vitesse de circle1, puis cette
+  -- vitesse le déplace.
 end

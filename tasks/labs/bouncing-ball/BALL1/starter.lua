@@ -1,4 +1,6 @@
--- Bouncing ball. Lengths in m, times in s, velocities in m/s, accelerations in m/s².
+-- Bouncing ball.
+-- Lengths in m, times in s, velocities in m/s, accelerations
+-- in m/s².
 
 -- Runs once, when the scene is in place.
 function on_load()
@@ -7,5 +9,6 @@ end
 
 -- Runs every step; timestep is how long the step lasts.
 function on_update(timestep)
-  -- First let gravity change the velocity of circle1, then let that velocity move it.
+  -- First let gravity change the velocity of circle1, then
+  -- let that velocity move it.
 end
