@@ -85,9 +85,10 @@ private:
 QString statements(const ProgramLines &program)
 {
     Print print;
+    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
     print << program.timesteps() << deadLines(program)
-          << copiesOf(program, {QStringLiteral("radius"), QStringLiteral("density")});
-    for (const ProgramAssignment &each : assignmentsOf(program))
+          << copiesOf(program, assignments, {QStringLiteral("radius"), QStringLiteral("density")});
+    for (const ProgramAssignment &each : assignments)
         print << each.line << each.name << each.isField << each.target << each.from << each.to
               << each.last << valuesIn(program, each.from, each.to) << isHandedOn(program, each);
     const std::vector<ProgramFunction> functions = functionsOf(program);
@@ -210,10 +211,11 @@ void addValues(const Task &task, const QString &source, const std::vector<int> &
 {
     const Moment moment{.stage = {task.preset, false}, .step = step, .circles = {0}};
     const RanLines ran = ranLines(source, moment);
+    SoundValues sound(source, moment);
     for (const auto &[aspect, suspect] : valued) {
-        to << soundLines(source, all, aspect, suspect, moment);
+        to << soundLines(sound, all, aspect, suspect);
         for (const ValueChange change : {ValueChange::Completed, ValueChange::Replaced})
-            to << valueRepairsOf(source, all, aspect, suspect, moment, ran.now, change);
+            to << valueRepairsOf(sound, all, aspect, suspect, ran.now, change);
     }
 }
 

@@ -30,6 +30,7 @@ private slots:
     void circlesThatAreNotWrongMayGoOn();
     void whatIsKeptIsSeenFromTheMidst();
     void stoppedProgramIsWrong();
+    void programWithoutEndIsGivenUp();
 };
 
 namespace {
@@ -273,6 +274,17 @@ void TestFaultLook::stoppedProgramIsWrong()
     QCOMPARE(sightOf(QStringLiteral("function on_update(h) error('no') end"), at(1), true),
              Sight::Wrong);
     QCOMPARE(sightOf(QStringLiteral("function"), at(1), true), Sight::Wrong);
+}
+
+void TestFaultLook::programWithoutEndIsGivenUp()
+{
+    const QString program = QStringLiteral("function on_update() while true do end end");
+    const auto workOf = [&](bool once) {
+        Probe probe(&program, {two()}, once);
+        return probe.step() ? qint64(0) : probe.instructions();
+    };
+    QVERIFY(workOf(true) > 50'000 && workOf(true) < 200'000);
+    QVERIFY(workOf(false) > 4'000'000);
 }
 
 QTEST_APPLESS_MAIN(TestFaultLook)

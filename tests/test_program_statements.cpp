@@ -183,7 +183,9 @@ void TestProgramStatements::copiesAreFound()
 {
     QFETCH(QString, source);
     QFETCH(QString, copies);
-    QCOMPARE(copiesOf(ProgramLines(source), {QStringLiteral("radius")}).join(QLatin1Char('|')),
+    const ProgramLines program(source);
+    QCOMPARE(copiesOf(program, assignmentsOf(program), {QStringLiteral("radius")})
+                 .join(QLatin1Char('|')),
              copies);
 }
 

@@ -19,7 +19,7 @@ AskedValues::AskedValues(const ProgramLines &program)
     : m_program(program)
     , m_assignments(assignmentsOf(program))
     , m_functions(functionsOf(program))
-    , m_radii(copiesOf(program, {QStringLiteral("radius")}))
+    , m_radii(copiesOf(program, m_assignments, {QStringLiteral("radius")}))
 {
 }
 

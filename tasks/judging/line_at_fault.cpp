@@ -168,12 +168,12 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     });
     const std::vector<int> &valued = query.aspect == Aspect::Response ? near : all;
     std::vector<Repair> changes;
+    SoundValues sound(query.program, query.moment);
     const auto add = [&](std::vector<Repair> more) {
         std::move(more.begin(), more.end(), std::back_inserter(changes));
     };
     const auto addValues = [&](Suspect suspect, ValueChange change) {
-        add(valueRepairsOf(query.program, valued, query.aspect, suspect, query.moment,
-                           query.ran.now, change));
+        add(valueRepairsOf(sound, valued, query.aspect, suspect, query.ran.now, change));
     };
     addValues(query.suspect, ValueChange::Completed);
     if (!isOfMasses)
@@ -187,10 +187,9 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     if (isOfMasses)
         addValues(query.suspect, ValueChange::Replaced);
     else if (query.aspect == Aspect::Response)
-        add(valueRepairsOf(query.program, all, query.aspect, Suspect::Masses, query.moment,
-                           query.ran.now, ValueChange::Completed));
-    putInOrder(changes, query.program,
-               soundLines(query.program, all, query.aspect, query.suspect, query.moment));
+        add(valueRepairsOf(sound, all, query.aspect, Suspect::Masses, query.ran.now,
+                           ValueChange::Completed));
+    putInOrder(changes, query.program, soundLines(sound, all, query.aspect, query.suspect));
     return changes;
 }
 
@@ -209,6 +208,9 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     std::map<int, int> tries;
     int judged = 0;
     for (const Repair &repair : changesOf(query)) {
+        // All that is tried any more is known.
+        if (judged >= mostJudged && likely.size() >= mostMeasured)
+            break;
         const Sight sight = look.of(repair.source);
         if (sight == Sight::Once && !isOfQuestion(query.suspect) && doubtful.size() < mostDoubtful)
             doubtful.push_back(repair);

@@ -16,7 +16,7 @@ QStringList fieldsOf(const ProgramLines &program, const std::vector<ProgramAssig
                      const QString &field)
 {
     QStringList fields{field};
-    const QStringList copies = QStringList{field} + copiesOf(program, {field});
+    const QStringList copies = QStringList{field} + copiesOf(program, assignments, {field});
     for (const ProgramAssignment &each : assignments) {
         if (each.isField && isHandedOn(program, each)
             && copies.contains(program.tokens()[each.to - 1].text) && !fields.contains(each.name))

@@ -6,14 +6,22 @@ namespace cradle {
 
 namespace {
 
+/// Instructions of a step after which a changed program that is looked at once is given up: a sound
+/// one takes some hundred. Those that never end are among them.
+constexpr qint64 mostOfALook = 100'000;
+
 std::optional<StudentScript> scriptOf(const QString *program, bool pinned, bool once)
 {
     if (!program)
         return std::nullopt;
     return std::optional<StudentScript>(
         std::in_place, *program,
-        StudentScript::Options{
-            .pinned = pinned, .quiet = true, .silent = true, .once = once, .locked = {}});
+        StudentScript::Options{.pinned = pinned,
+                               .quiet = true,
+                               .silent = true,
+                               .once = once,
+                               .mostWork = once ? mostOfALook : limits::instructionsPerStep,
+                               .locked = {}});
 }
 
 } // namespace

@@ -21,7 +21,8 @@ class Probe
 {
 public:
     /// \param program  null where the laws of the scene are asked
-    /// \param once     nobody is likely to look at that program again
+    /// \param once     nobody is likely to look at that program again; it stops where it takes far
+    ///                 more work than any that is right
     Probe(const QString *program, const Stage &stage, bool once = false);
 
     /// Whether it runs at all, and has not stopped with an error.

@@ -177,10 +177,11 @@ std::set<int> deadLines(const ProgramLines &program)
     return dead;
 }
 
-QStringList copiesOf(const ProgramLines &program, const QStringList &fields)
+QStringList copiesOf(const ProgramLines &program, const std::vector<ProgramAssignment> &assignments,
+                     const QStringList &fields)
 {
     QStringList names;
-    for (const ProgramAssignment &each : assignmentsOf(program)) {
+    for (const ProgramAssignment &each : assignments) {
         if (isHandedOn(program, each) && fields.contains(program.tokens()[each.to - 1].text))
             names.append(each.name);
     }

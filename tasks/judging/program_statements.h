@@ -40,7 +40,9 @@ struct ProgramFunction {
 [[nodiscard]] std::set<int> deadLines(const ProgramLines &program);
 
 /// The names, of variables or in tables, that a radius or a density is copied to.
-[[nodiscard]] QStringList copiesOf(const ProgramLines &program, const QStringList &fields);
+[[nodiscard]] QStringList copiesOf(const ProgramLines &program,
+                                   const std::vector<ProgramAssignment> &assignments,
+                                   const QStringList &fields);
 
 /// The names in tokens \p from to \p to without \p to that stand for numbers or vectors: the last
 /// of each, v of self.v; not those of functions.

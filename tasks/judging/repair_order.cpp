@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <iterator>
 
 namespace cradle {
 
@@ -16,14 +17,23 @@ enum class Side { Nobody, First, Second, Both };
 /// Whether the names of what is given and of what gets it tell of the same.
 enum class Naming { Silent, Agrees, Disagrees };
 
+bool isOfName(QChar c)
+{
+    return (c.unicode() < 128 && c.isLetterOrNumber()) || c == QLatin1Char('_');
+}
+
 Side sideOf(const QString &text, QChar first, QChar second)
 {
-    static const QRegularExpression name(QStringLiteral("[A-Za-z_]\\w*"));
     constexpr qsizetype shortName = 3;
     bool isFirst = false;
     bool isSecond = false;
-    for (auto it = name.globalMatch(text); it.hasNext();) {
-        const QString word = it.next().captured();
+    for (qsizetype at = 0, end = 0; at < text.size(); at = end) {
+        end = at + 1;
+        if (!isOfName(text[at]) || text[at].isDigit())
+            continue;
+        while (end < text.size() && isOfName(text[end]))
+            ++end;
+        const QStringView word = QStringView(text).mid(at, end - at);
         const bool ends = first.isDigit() || word.size() <= shortName || word.back().isUpper()
                           || word[word.size() - 2] == QLatin1Char('_');
         isFirst = isFirst || (ends && word.back().toLower() == first);
@@ -100,17 +110,28 @@ bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
            || (was == Side::Second && is == Side::First && stands(-1));
 }
 
+QString rowOf(const QString &source, int line)
+{
+    qsizetype from = 0;
+    for (int k = 1; k < line; ++k)
+        from = source.indexOf(QLatin1Char('\n'), from) + 1;
+    const qsizetype to = source.indexOf(QLatin1Char('\n'), from);
+    return source.mid(from, to < 0 ? -1 : to - from);
+}
+
 } // namespace
 
 void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound)
 {
     static const QRegularExpression verdict(QStringLiteral("\\bif (true|false) then\\b"));
     const QStringList rows = source.split(QLatin1Char('\n'));
+    std::vector<Naming> namings;
+    std::transform(rows.begin(), rows.end(), std::back_inserter(namings), namingOf);
     const auto rankOf = [&](const Repair &repair) {
-        const Naming before = namingOf(rows.value(repair.line - 1));
-        const QString row =
-            repair.source.section(QLatin1Char('\n'), repair.line - 1, repair.line - 1);
-        const Naming after = namingOf(row);
+        const auto index = static_cast<std::size_t>(repair.line - 1);
+        const Naming before = namings[index];
+        const QString row = rowOf(repair.source, repair.line);
+        const Naming after = row == rows[repair.line - 1] ? before : namingOf(row);
         if (before != Naming::Disagrees && after == Naming::Disagrees)
             return 2;
         if (repair.told || (before == Naming::Disagrees && after != Naming::Disagrees))

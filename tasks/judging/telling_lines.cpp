@@ -16,14 +16,15 @@ namespace {
 /// The line that works out a mass; 0 if none is found.
 int massLine(const ProgramLines &program, const QStringList &rows)
 {
+    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
     const QStringList copies =
-        copiesOf(program, {QStringLiteral("radius"), QStringLiteral("density")});
+        copiesOf(program, assignments, {QStringLiteral("radius"), QStringLiteral("density")});
     const QString quantities =
         (QStringList{QStringLiteral("radius|density|volume|masse?")} + copies)
             .join(QLatin1Char('|'));
-    const QString densities =
-        (QStringList{QStringLiteral("density")} + copiesOf(program, {QStringLiteral("density")}))
-            .join(QLatin1Char('|'));
+    const QString densities = (QStringList{QStringLiteral("density")}
+                               + copiesOf(program, assignments, {QStringLiteral("density")}))
+                                  .join(QLatin1Char('|'));
     const QRegularExpression quantity(QStringLiteral("\\b(%1)\\b").arg(quantities));
     const QRegularExpression power(QStringLiteral("\\bpi\\b|\\^|\\b(%1)\\b").arg(densities));
     const std::set<int> dead = deadLines(program);
@@ -111,8 +112,9 @@ int angleLine(const QStringList &rows, const RanLines &ran)
 std::vector<int> withRestitution(const std::vector<int> &lines, const QStringList &rows,
                                  const ProgramLines &program)
 {
-    const QStringList names = QStringList{QStringLiteral("restitution")}
-                              + copiesOf(program, {QStringLiteral("restitution")});
+    const QStringList names =
+        QStringList{QStringLiteral("restitution")}
+        + copiesOf(program, assignmentsOf(program), {QStringLiteral("restitution")});
     const QRegularExpression e(QStringLiteral("\\b(%1)\\b").arg(names.join(QLatin1Char('|'))));
     std::vector<int> found;
     std::copy_if(lines.begin(), lines.end(), std::back_inserter(found),

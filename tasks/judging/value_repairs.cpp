@@ -149,13 +149,8 @@ QString stopping(const QString &source, qsizetype from, qsizetype to, const QStr
     return watch + changed;
 }
 
-/// Whether a value is always the same of \p quantities, up to the moment.
-bool isSound(const QString &source, qsizetype from, qsizetype to, const QStringList &quantities,
-             const Moment &moment)
+bool reaches(const QString &program, const Moment &moment)
 {
-    if (quantities.isEmpty())
-        return false;
-    const QString program = stopping(source, from, to, quantities);
     Probe probe(&program, moment.stage, true);
     for (qint64 k = 0; k < moment.step; ++k) {
         if (!probe.step())
@@ -166,31 +161,39 @@ bool isSound(const QString &source, qsizetype from, qsizetype to, const QStringL
 
 } // namespace
 
-std::set<int> soundLines(const QString &source, const std::vector<int> &lines, Aspect aspect,
-                         Suspect suspect, const Moment &moment)
+bool SoundValues::has(qsizetype from, qsizetype to, const QStringList &quantities)
 {
-    const ProgramLines program(source);
+    if (quantities.isEmpty())
+        return false;
+    const QString program = stopping(m_source, from, to, quantities);
+    const auto known = m_known.constFind(program);
+    return known != m_known.cend() ? *known : *m_known.insert(program, reaches(program, m_moment));
+}
+
+std::set<int> soundLines(SoundValues &sound, const std::vector<int> &lines, Aspect aspect,
+                         Suspect suspect)
+{
+    const ProgramLines program(sound.source());
     const RepairList repairs(program, true, 0);
-    std::set<int> sound;
+    std::set<int> found;
     for (const int line : lines) {
         const std::vector<Value> values = valuesAt(repairs, line, aspect);
         const NamesAtHand names(program, repairs.assignments(), repairs.functions(), line);
         const Quantities quantities(names, program.timesteps(), aspect, suspect);
         const bool isRight = std::all_of(values.begin(), values.end(), [&](const Value &value) {
             const qsizetype from = program.tokens()[value.from].start;
-            return isSound(source, from, program.tokens()[value.to - 1].end(), quantities.sound(),
-                           moment);
+            return sound.has(from, program.tokens()[value.to - 1].end(), quantities.sound());
         });
         if (!values.empty() && isRight)
-            sound.insert(line);
+            found.insert(line);
     }
-    return sound;
+    return found;
 }
 
-std::vector<Repair> valueRepairsOf(const QString &source, const std::vector<int> &lines,
-                                   Aspect aspect, Suspect suspect, const Moment &moment,
-                                   const std::set<int> &now, ValueChange change)
+std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &lines, Aspect aspect,
+                                   Suspect suspect, const std::set<int> &now, ValueChange change)
 {
+    const QString &source = sound.source();
     const ProgramLines program(source);
     RepairList repairs(program, true, mostValueRepairs);
     const std::set<int> inOrder(lines.begin(), lines.end());
@@ -217,9 +220,8 @@ std::vector<Repair> valueRepairsOf(const QString &source, const std::vector<int>
             if (aspect == Aspect::Contact && !value.isSide && text.contains(radius))
                 continue;
             if (!isSuspicious(program, value, aspect, suspect, change)
-                || isSound(source, from, to,
-                           quantities.sound() + (isDifference(text) ? parts : QStringList{}),
-                           moment))
+                || sound.has(from, to,
+                             quantities.sound() + (isDifference(text) ? parts : QStringList{})))
                 continue;
             const QStringList others = change == ValueChange::Completed
                                            ? quantities.completed(text, program.forgotten(line))

@@ -5,6 +5,8 @@
 #include "tasks/judging/deviation.h"
 #include "tasks/judging/repairs.h"
 
+#include <QHash>
+
 #include <set>
 
 namespace cradle {
@@ -15,18 +17,38 @@ enum class ValueChange {
     Replaced,  ///< by what the aspect needs: a normal, a distance, the place where a wall turns
 };
 
-/// Those of \p lines in which all that is given is right up to \p moment.
-[[nodiscard]] std::set<int> soundLines(const QString &source, const std::vector<int> &lines,
-                                       Aspect aspect, Suspect suspect, const Moment &moment);
+/// Tells of values of a program whether they are right up to a moment; each is asked once.
+class SoundValues
+{
+public:
+    /// \param source, moment  must outlive this
+    SoundValues(const QString &source, const Moment &moment)
+        : m_source(source)
+        , m_moment(moment)
+    {
+    }
 
-/// Programs that differ from \p source in one whole value that a line gives, returns or hands on.
-/// What is right up to \p moment is left as it is.
-/// \param lines  in which something may be changed; they are tried as they stand in the program, of
+    [[nodiscard]] const QString &source() const { return m_source; }
+    /// Whether what stands at \p from to \p to of the source is always the same of \p quantities.
+    [[nodiscard]] bool has(qsizetype from, qsizetype to, const QStringList &quantities);
+
+private:
+    const QString &m_source;
+    const Moment &m_moment;
+    QHash<QString, bool> m_known{}; ///< by the program that asks
+};
+
+/// Those of \p lines in which all that is given is right.
+[[nodiscard]] std::set<int> soundLines(SoundValues &sound, const std::vector<int> &lines,
+                                       Aspect aspect, Suspect suspect);
+
+/// Programs that differ from that of \p sound in one whole value that a line gives, returns or
+/// hands on. What is right is left as it is. \param lines  in which something may be changed; they
+/// are tried as they stand in the program, of
 ///               masses from the last
 /// \param now  the lines that run at the moment
-[[nodiscard]] std::vector<Repair> valueRepairsOf(const QString &source,
-                                                 const std::vector<int> &lines, Aspect aspect,
-                                                 Suspect suspect, const Moment &moment,
+[[nodiscard]] std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &lines,
+                                                 Aspect aspect, Suspect suspect,
                                                  const std::set<int> &now, ValueChange change);
 
 } // namespace cradle

@@ -67,7 +67,7 @@ void charge(lua_State *L, qint64 instructions)
 {
     ScriptHost &host = ScriptHost::of(L);
     host.instructions += instructions;
-    if (host.instructions <= limits::instructionsPerStep)
+    if (host.instructions <= host.mostInstructions)
         return;
     const bool dear = host.memory.longestText() >= limits::textBytesPerInstruction
                       || instructions > instructionsPerLook;

@@ -4,6 +4,7 @@
 
 #include "model/run/program.h"
 #include "tasks/script/lua_state.h"
+#include "tasks/script/script_limits.h"
 #include "tasks/script/trace.h"
 
 #include <QStringList>
@@ -62,9 +63,10 @@ struct ScriptHost {
     // What was used; see script_limits.h.
     qint64 instructions = 0;        ///< of this step, and what counts as such
     qint64 earlierInstructions = 0; ///< of all steps before
-    qint64 looks = 0;               ///< at what was used
-    bool counts = true;             ///< instructions; else there are few, see work_bound.h
-    bool timed = false;             ///< a step ends by the clock, too
+    qint64 mostInstructions = limits::instructionsPerStep; ///< of a step
+    qint64 looks = 0;                                      ///< at what was used
+    bool counts = true; ///< instructions; else there are few, see work_bound.h
+    bool timed = false; ///< a step ends by the clock, too
     std::chrono::steady_clock::time_point deadline{};
     std::function<bool()> stop{}; ///< asked again and again; true ends the run
     LuaMemory memory;

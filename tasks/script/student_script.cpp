@@ -65,6 +65,7 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     host.quiet = m_options.quiet;
     host.silent = m_options.silent;
     host.wordless = m_options.silent && m_options.once;
+    host.mostInstructions = m_options.mostWork;
     host.timed = m_options.timed;
     host.stop = m_options.stop;
     host.trace = m_startTrace;

@@ -5,6 +5,7 @@
 #include "model/run/program.h"
 #include "tasks/script/assignment.h"
 #include "tasks/script/circle_field.h"
+#include "tasks/script/script_limits.h"
 
 #include <QStringList>
 
@@ -27,7 +28,8 @@ public:
         bool quiet = false;  ///< nobody looks at what it prints, plots and draws
         bool silent = false; ///< nobody reads what its errors say: they have no words
         bool once = false;   ///< it runs but once: what it was compiled to is not kept
-        bool timed = false;  ///< a live run: a step ends by the clock, too, not only by its work
+        qint64 mostWork = limits::instructionsPerStep; ///< of a step; past them it stops
+        bool timed = false; ///< a live run: a step ends by the clock, too, not only by its work
         /// What it must not change; see locks.h. Places and velocities are fixed at the start only.
         QStringList locked{};
         /// Asked again and again while it runs; true ends the run, with an error of no meaning.
