@@ -71,8 +71,9 @@ struct Conditions {
     const char *go = "true";    ///< the way
     const char *fresh = "true"; ///< that it is the new velocity that makes the way
     const char *walls = "true";
-    const char *turned = ""; ///< what is done after a hit at a wall
-    const char *back = "";   ///< what a wall gives back, if not what it should
+    const char *turned = "";         ///< what is done after a hit at a wall
+    const char *radius = "c.radius"; ///< at the walls
+    const char *back = "";           ///< what a wall gives back, if not what it should
     const char *hit = "closing > 0";
     const char *met = ""; ///< what is done after a hit of the two
     const char *e = "";
@@ -90,7 +91,7 @@ QString program(const QString &step, const Conditions &c, std::size_t form)
                     "if %2 then c.position = c.position + (%3 and c.velocity or before) * h end")
                    .arg(text(c.move), text(c.go), text(c.fresh));
     law.walls = text("local came = c.velocity if %1 then %2 if c.velocity ~= came then %3 end end")
-                    .arg(text(c.walls), wallsOf(wallWays[form], "c.radius", back.constData()),
+                    .arg(text(c.walls), wallsOf(wallWays[form], c.radius, back.constData()),
                          text(c.turned));
     if (step.mid(4).toInt() > 8)
         law.hit = hitOf(hitWays[form == 0 ? 0 : 2],
@@ -113,6 +114,15 @@ void TestConditions::whatIsAlwaysSoHasNoCondition_data()
                 << text(step) << program(text(step), {}, form) << QStringList();
     }
     for (const std::size_t form : {0U, 1U}) {
+        // In long runs, too, circles stay what they are: a program may keep their radii.
+        QTest::addRow("radii of the start, and e squared, form %zu", form)
+            << text("L42T17")
+            << program(text("L42T17"),
+                       {.start = "kept = {circle1.radius, circle2.radius}",
+                        .radius = "kept[c.index]",
+                        .back = "restitution ^ 2"},
+                       form)
+            << QStringList(text("At the walls e acts on both circles twice"));
         // What drag makes of a throw before it arrives is no fault of the hit.
         QTest::addRow("drag in x, form %zu", form)
             << text("L42T17")
@@ -163,6 +173,14 @@ void TestConditions::conditionIsNamed_data()
          ": all that moved to the right, no others.", {.walls = "c.velocity.x > 0"});
     rows("walls of the fast", {"L42T12"}, "Some hits of both circles at the walls are not answered",
          " m/s or more, none with up to ", {.walls = "c.velocity:length() > 3"});
+    rows("walls while another goes left", {"L42T7", "L42T12"},
+         "Some hits of circle 1 at the walls are not answered",
+         ": all while another circle moved to the left, no others.",
+         {.walls = "(c.index == 2 or circle2.velocity.x < 0)"});
+    rows("walls while another goes up", {"L42T7", "L42T12"},
+         "Some hits of circle 2 at the walls are not answered",
+         ": all while another circle moved upward, no others.",
+         {.walls = "(c.index == 1 or circle1.velocity.y > 0)"});
     rows("walls once", {"L42T7", "L42T12", "L42T17"},
          "Some hits of both circles at the walls are not answered",
          ": the first in a run, none of the later ones.",

@@ -23,6 +23,7 @@ private slots:
     void reachOfAWallIsTold();
     void lengthForTheRadiusIsTold();
     void openWallsAreTold();
+    void placeOfAnotherIsTold();
     void oneSpeedIsNoneOfTheirOwn();
     void slowHitsAreTold();
     void slowAnswerIsTold();
@@ -189,6 +190,37 @@ void TestToldWalls::openWallsAreTold()
 }
 
 /// Whoever comes fast is slowed down, and all that come fast come equally fast.
+/// The floor asks where the other circle is.
+void TestToldWalls::placeOfAnotherIsTold()
+{
+    const char *walls = "local a = c.index == 2 and circle1 or circle2 "
+                        "if a.position.y - c.radius < square.bottom and c.velocity.y < 0 then "
+                        "c.position, c.velocity = old, vec(c.velocity.x, -c.velocity.y) end "
+                        "if c.position.y + c.radius > square.top and c.velocity.y > 0 or "
+                        "false then c.velocity = vec(c.velocity.x, -c.velocity.y) end "
+                        "if math.abs(c.position.x) + c.radius > square.right "
+                        "and c.position.x * c.velocity.x > 0 then "
+                        "c.velocity = vec(-c.velocity.x, c.velocity.y) end";
+    for (const auto &[circle, other] : {std::pair(1, 2), std::pair(2, 1)}) {
+        const QString body =
+            bodyOfWalls(text(walls),
+                        QStringLiteral("At the floor the place of circle %1 is asked for, not that "
+                                       "of circle %2")
+                            .arg(other)
+                            .arg(circle),
+                        "L42T12");
+        const auto n =
+            numbersIn(body, "Thrown at the floor with (#, #) m/s, circle # went on past it. In the "
+                            "middle its velocity changed from (#, #) to (#, #) m/s, with circle # "
+                            "beyond that wall.");
+        QVERIFY2(n.size() == 8, qPrintable(body));
+        QCOMPARE(n[2], double(circle));
+        QVERIFY(n[4] < 0.0);
+        QVERIFY(isNear(n[6], -n[4]));
+        QCOMPARE(n[7], double(other));
+    }
+}
+
 void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
 {
     const QString walls = wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 2 and 0.5 or 1)");

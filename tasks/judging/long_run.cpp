@@ -38,8 +38,10 @@ LongRun::LongRun(const QString *program, const Ground &ground, const Preset &sce
 void LongRun::set(const Preset &scene)
 {
     World world = m_probe.world();
-    for (std::size_t i = 0; i < world.circles.size() && i < scene.circles.size(); ++i)
-        world.circles[i] = scene.circles[i].body;
+    for (std::size_t i = 0; i < world.circles.size() && i < scene.circles.size(); ++i) {
+        world.circles[i].position = scene.circles[i].body.position;
+        world.circles[i].velocity = scene.circles[i].body.velocity;
+    }
     m_probe.place(world);
 }
 

@@ -20,7 +20,8 @@ public:
     [[nodiscard]] Probe &probe() { return m_probe; }
     [[nodiscard]] double time() const { return m_probe.world().time; }
 
-    /// Sets the circles to what \p scene begins with.
+    /// Sets the circles where those of \p scene begin, with their velocities. What they are they
+    /// stay: a program may keep radii and masses from the start on.
     void set(const Preset &scene);
     /// Lets circles fly far from walls and each other for so long, in long steps.
     void wait(double seconds);

@@ -47,6 +47,13 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
                 hits.push_back(range.shoot(circle, Wall::Right, e, 1, false));
         }
         findLost(circle);
+        for (const Wall wall : allWalls) {
+            const bool isOpen = std::none_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
+                return hit.circle == circle && hit.wall == wall && hit.isAnswered();
+            });
+            if (const auto found = isOpen ? range.lend(circle, wall, all.back()) : std::nullopt)
+                lent.push_back(*found);
+        }
         for (const Wall wall : {Wall::Right, Wall::Bottom})
             slow.push_back(range.creep(circle, wall, all.size() > 1 ? middleOf(all) : all.back()));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
@@ -76,10 +83,10 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
     }
 }
 
-void MeasuredWalls::findLost(int circle)
+bool MeasuredWalls::hasOnePlace(int circle, Wall wall) const
 {
     // Where one place would do for all, of the centre or of the rim, there the wall turns circles.
-    const auto isOnePlace = [&](Wall wall, double radii) {
+    const auto isOnePlace = [&](double radii) {
         double least = std::numeric_limits<double>::infinity();
         double most = -least;
         for (const WallHit &hit : hits) {
@@ -90,10 +97,21 @@ void MeasuredWalls::findLost(int circle)
         }
         return most <= least + 1e-9;
     };
+    return isOnePlace(0.0) || isOnePlace(1.0);
+}
+
+bool MeasuredWalls::turnsAtRim(int circle, Wall wall) const
+{
+    return std::all_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
+        return hit.circle != circle || hit.wall != wall || !hit.turned || hit.fits(hit.radius);
+    });
+}
+
+void MeasuredWalls::findLost(int circle)
+{
     for (WallHit &hit : hits) {
         if (hit.circle == circle)
-            hit.isLost = (hit.turned || hit.held) && hit.isFar() && !isOnePlace(hit.wall, 0.0)
-                         && !isOnePlace(hit.wall, 1.0);
+            hit.isLost = (hit.turned || hit.held) && hit.isFar() && !hasOnePlace(circle, hit.wall);
     }
 }
 

@@ -59,6 +59,12 @@ struct WallOccasion {
     bool isSlow = false; ///< see MeasuredWalls::slow
 };
 
+/// A circle in the middle that is turned as another is beyond a wall.
+struct LentWall {
+    WallHit hit{};
+    int other = 0; ///< from 0
+};
+
 /// A circle that falls onto the floor from near it, and stays there a while.
 struct Drop {
     int circle = 0;
@@ -85,12 +91,19 @@ struct MeasuredWalls {
 
     [[nodiscard]] bool isLike(const MeasuredWalls &other) const;
 
+    /// Whether all hits of that circle at that wall that are answered come at one place, of its
+    /// centre or of its rim.
+    [[nodiscard]] bool hasOnePlace(int circle, Wall wall) const;
+    /// Whether all of them that turn it do so when its rim is there.
+    [[nodiscard]] bool turnsAtRim(int circle, Wall wall) const;
+
     std::vector<WallHit> hits{}; ///< circle by circle, wall by wall
     std::vector<WallHit>
         corners{};               ///< of those hits both parts should turn; \c along tells the other
     std::vector<WallHit> slow{}; ///< two of each circle, with an e of the middle
     std::vector<WallHit> far{};  ///< of circles that are turned at once: two from far away
     std::vector<WallHit> middle{}; ///< and one from the middle to each wall where they are
+    std::vector<LentWall> lent{};  ///< where nothing is answered, if another being there is
     std::vector<Drop> drops{};
     std::vector<int> judged{}; ///< the circles whose free flight is known
     double blur = 1e-3;        ///< of back and along: how far gravity blurs them

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Condition::Kind;
 
-/// A single one may lie at the edge of all places by chance.
+/// A single one may lie at the edge of all places, or be the first, by chance.
 constexpr int fewest = 2;
 
 /// Tells the right ones from the others by one thing at a time.
@@ -131,7 +131,7 @@ std::vector<Condition> conditionsOf(const std::vector<Occasion> &occasions)
     const int right = rightOnes(occasions);
     const int wrong = static_cast<int>(occasions.size()) - right;
     std::vector<Condition> all;
-    if (right == 0 || wrong == 0)
+    if (right < fewest || wrong < fewest)
         return all;
     const Division by(occasions);
     takeNumber(all, by, byNumber);
@@ -141,8 +141,6 @@ std::vector<Condition> conditionsOf(const std::vector<Occasion> &occasions)
         all.push_back({Kind::BeforeHit});
     if (by.is([](const Occasion &one) { return one.hasHit; }))
         all.push_back({Kind::AfterHit});
-    if (right < fewest || wrong < fewest)
-        return all;
     if (all.empty())
         takeNumber(all, by, byHigherNumber);
     const auto take = [&](const std::optional<Condition> &one) {
@@ -172,11 +170,16 @@ std::vector<Condition> conditionsOf(const std::vector<Occasion> &occasions)
     struct Way {
         Vec2 to;
         Kind kind;
+        Kind ofOther;
     };
-    for (const Way &way : {Way{{1.0, 0.0}, Kind::Rightward}, Way{{-1.0, 0.0}, Kind::Leftward},
-                           Way{{0.0, 1.0}, Kind::Upward}, Way{{0.0, -1.0}, Kind::Downward}}) {
+    for (const Way &way : {Way{{1.0, 0.0}, Kind::Rightward, Kind::OtherRightward},
+                           Way{{-1.0, 0.0}, Kind::Leftward, Kind::OtherLeftward},
+                           Way{{0.0, 1.0}, Kind::Upward, Kind::OtherUpward},
+                           Way{{0.0, -1.0}, Kind::Downward, Kind::OtherDownward}}) {
         if (by.is([&](const Occasion &one) { return dot(one.velocity, way.to) > 0.0; }))
             all.push_back({way.kind});
+        if (by.is([&](const Occasion &one) { return dot(one.otherVelocity, way.to) > 0.0; }))
+            all.push_back({way.ofOther});
     }
     for (const int setting : {0, 1}) {
         if (by.is([&](const Occasion &one) { return one.setting == setting; }))

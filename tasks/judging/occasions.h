@@ -26,6 +26,7 @@ struct Occasion {
     double along = 0.0;                                     ///< and along it
     Vec2 velocity{};                                        ///< of which it is, of one circle, m/s
     int setting = 0;                                        ///< where the other circles were
+    Vec2 otherVelocity{};                                   ///< of another circle meanwhile, m/s
     bool hasMet = false; ///< the two circles have hit each other before
     bool hasHit = false; ///< all circles have hit a wall before
     bool isRight = true;
@@ -64,6 +65,10 @@ struct Condition {
         Leftward,
         Upward,
         Downward,
+        OtherRightward, ///< ways of another circle meanwhile
+        OtherLeftward,
+        OtherUpward,
+        OtherDownward,
         Setting, ///< it counts where the other circles are
     };
     Kind kind = Kind::Sometimes;

@@ -111,6 +111,14 @@ QString triedPhrase(const Condition &condition)
         return TriedText::tr("all that moved upward, no others");
     case Kind::Downward:
         return TriedText::tr("all that moved downward, no others");
+    case Kind::OtherRightward:
+        return TriedText::tr("all while another circle moved to the right, no others");
+    case Kind::OtherLeftward:
+        return TriedText::tr("all while another circle moved to the left, no others");
+    case Kind::OtherUpward:
+        return TriedText::tr("all while another circle moved upward, no others");
+    case Kind::OtherDownward:
+        return TriedText::tr("all while another circle moved downward, no others");
     default:
         return withLimits(limitText(condition.kind), condition);
     }

@@ -18,6 +18,10 @@ struct Throw {
 };
 constexpr std::array throws{Throw{1.0, 0.37},   Throw{0.37, -0.137}, Throw{0.37, 0.41},
                             Throw{0.37, -1.07}, Throw{1.0, -0.07},   Throw{1.6, 0.59}};
+/// How the others move meanwhile, m/s.
+constexpr std::array ways{Vec2{0.31, 0.47}, Vec2{-0.31, 0.47},  Vec2{-0.31, -0.47},
+                          Vec2{0.31, 0.47}, Vec2{-0.31, -0.47}, Vec2{0.31, -0.47}};
+static_assert(ways.size() == throws.size());
 /// So many shots of each circle: every throw at every wall, where there are four.
 constexpr std::size_t shotsOfCircle = throws.size() * std::size(allWalls);
 /// Before every so many shots there is a wait, s; the others come as soon as the one before is
@@ -56,30 +60,38 @@ bool meet(LongRun &run, const Preset &stage, double way)
 
 WallOccasion WallRange::shotOf(std::size_t number, int circle, const WallShots &shots) const
 {
-    const std::size_t round = number / shots.walls.size();
+    const std::size_t turn = number / (shots.walls.size() * throws.size()); // of all throws
+    const std::size_t round = number / shots.walls.size() % throws.size();
     const std::size_t wall = (number + round / 2) % shots.walls.size();
-    const std::size_t turn = round / throws.size(); // of all throws
-    const Throw &how = throws[round % throws.size()];
+    const Throw &how = throws[round];
     double along = places[(round + turn + wall) % places.size()];
     if (std::abs(how.along) > steep)
         along = -std::copysign(places[1], how.along);
+    const auto radiusOf = [&](int one) {
+        return one == m_ground.walls.circles.front() ? largeRadius() : m_ground.walls.radii.low;
+    };
     WallOccasion shot{.hit = {.circle = circle,
                               .wall = shots.walls[wall],
                               .restitution = shots.restitution,
-                              .radius = largeRadius(),
-                              .otherRadius = m_ground.walls.radii.low}};
+                              .radius = radiusOf(circle),
+                              .otherRadius = radiusOf(circle == 0 ? 1 : 0)}};
     WallHit &hit = shot.hit;
     shot.when.setting = static_cast<int>((round + wall / 2) % 2);
     hit.stage = stageOf(hit, how.into * speedOf(circle, 0), 0.29,
                         {.along = along,
                          .slant = how.along / how.into,
+                         .others = ways[round],
                          .setting = shot.when.setting,
                          .isNear = true});
+    for (std::size_t i = 0; i < hit.stage.preset.circles.size(); ++i)
+        hit.stage.preset.circles[i].body.radius = radiusOf(static_cast<int>(i));
     const Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
     const Vec2 n = outwardNormal(hit.wall);
     const double room = hit.stage.preset.halfWidth - c.radius - dot(n, c.position);
     shot.when.place = c.position + room * n;
     shot.when.comesWith(c.velocity, n);
+    if (m_ground.flights.size() > 1)
+        shot.when.otherVelocity = ways[round];
     return shot;
 }
 
@@ -125,7 +137,8 @@ std::vector<WallOccasion> WallRange::again(const WallShots &shots) const
     const std::size_t count = shotsOfCircle * circles.size();
     for (std::size_t k = 0; k < count; ++k) {
         // Each makes every throw at every wall: now one, now another.
-        const std::size_t who = k + k / shots.walls.size() + k / shotsOfCircle;
+        const std::size_t round = k / shots.walls.size();
+        const std::size_t who = k + round + round / throws.size();
         WallOccasion shot = shotOf(k, circles[who % circles.size()], shots);
         // In the midst of the waits: the first shots of the other run come later.
         if (k == count / 3 && m_ground.pair.asked && m_ground.flights.size() > 1)

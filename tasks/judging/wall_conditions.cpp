@@ -64,25 +64,24 @@ private:
         }
     }
 
-    /// Whether \p hit is answered when others as fast are at that wall: not far outside, where
-    /// another condition may have come true.
+    /// Whether \p hit is answered when others as fast are at that wall, if one place would do for
+    /// all of them, and else at its rim: not far outside, where another condition may have come
+    /// true.
     [[nodiscard]] bool isAnswered(const WallHit &hit) const
     {
+        if (!(hit.turned || hit.held) || hit.isFar())
+            return false;
         const double blur = 0.1 * std::abs(hit.travel);
         std::optional<double> inTime;
-        bool isAtRim = true;
         for (const WallHit &other : m_own.walls().hits) {
             if (other.circle == hit.circle && other.wall == hit.wall && other.turned
                 && !other.isFar() && std::abs(other.travel - hit.travel) < blur)
                 inTime = std::min(inTime.value_or(other.reached), other.reached);
-            if (other.circle == hit.circle && other.wall == hit.wall && other.turned)
-                isAtRim = isAtRim && other.fits(other.radius);
         }
-        if (isAtRim)
+        if (!m_own.walls().hasOnePlace(hit.circle, hit.wall)
+            || m_own.walls().turnsAtRim(hit.circle, hit.wall))
             inTime = hit.radius;
-        return (hit.turned || hit.held) && !hit.isFar()
-               && (!inTime
-                   || hit.before > std::min(*inTime, hit.radius) - 1.5 * std::abs(hit.travel));
+        return !inTime || hit.before > std::min(*inTime, hit.radius) - 1.5 * std::abs(hit.travel);
     }
 
     /// Whether \p hit is answered as that of the reference is.
@@ -127,6 +126,9 @@ private:
             all.push_back(
                 {hit, {.time = room / dot(c.velocity, n), .place = c.position + room * n}, isSlow});
             all.back().when.comesWith(c.velocity, n);
+            const auto &bodies = hit.stage.preset.circles;
+            if (bodies.size() > 1)
+                all.back().when.otherVelocity = bodies[hit.circle == 0 ? 1 : 0].body.velocity;
         };
         for (const WallHit &hit : walls.hits)
             add(hit, false);

@@ -21,6 +21,7 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> find()
     {
+        findLent();
         findMissing();
         return std::move(m_found);
     }
@@ -50,10 +51,54 @@ private:
     {
         std::set<Wall> walls;
         for (const Wall wall : allWalls) {
-            if (hitOf(circle, wall, false) && isAlways == !hitOf(circle, wall, true))
+            if (hitOf(circle, wall, false) && isAlways == !hitOf(circle, wall, true)
+                && !lentOf(circle, wall))
                 walls.insert(wall);
         }
         return walls;
+    }
+
+    /// What is known of the place of another circle that is asked for there.
+    [[nodiscard]] const LentWall *lentOf(int circle, Wall wall) const
+    {
+        const auto at =
+            std::find_if(m_own.lent.begin(), m_own.lent.end(), [&](const LentWall &one) {
+                return one.hit.circle == circle && one.hit.wall == wall;
+            });
+        return at == m_own.lent.end() ? nullptr : &*at;
+    }
+
+    /// That a wall asks where another circle is.
+    void findLent()
+    {
+        std::vector<std::pair<const LentWall *, Whose>> said;
+        for (const LentWall &one : m_own.lent) {
+            if (!hitOf(one.hit.circle, one.hit.wall, false))
+                continue;
+            const auto same = std::find_if(said.begin(), said.end(), [&](const auto &s) {
+                return s.first->hit.circle == one.hit.circle && s.first->other == one.other;
+            });
+            if (same != said.end())
+                same->second.walls.insert(one.hit.wall);
+            else
+                said.push_back({&one, {{one.hit.circle}, {one.hit.wall}}});
+        }
+        for (const auto &[one, whose] : said) {
+            const WallHit &through = *hitOf(one->hit.circle, one->hit.wall, false);
+            m_found.push_back(deviation(
+                WallText::tr("At the %walls the place of circle %1 is asked for, not that of %who")
+                    .arg(one->other + 1),
+                WallText::tr("Thrown at the %1 with %2 m/s, circle %3 went on past it. In the "
+                             "middle its velocity changed from %4 to %5 m/s, with circle %6 beyond "
+                             "that wall. Look at whose place stands in the question.")
+                    .arg(motion::wallName(one->hit.wall), brief(thrown(through)))
+                    .arg(one->hit.circle + 1)
+                    .arg(brief(one->hit.came), brief(one->hit.left))
+                    .arg(one->other + 1),
+                one->hit, whose, Suspect::Question));
+            m_found.back().family = QStringLiteral("missing");
+            m_found.back().shown = shownBy(whose.circles);
+        }
     }
 
     void findMissing()

@@ -18,6 +18,10 @@ constexpr double creepingToFloor = 0.56;
 /// What creeps starts so far from where its rim would be at the wall, m: it comes from outside of
 /// what a margin of some mm takes for the wall.
 constexpr double creepingWay = 0.03;
+/// So much faster are the others under gravity: it does not turn them round meanwhile.
+constexpr double fallingHaste = 3.0;
+/// Of a circle whose place may be asked for another's, m/s.
+constexpr double lentSpeed = 0.1;
 /// Under gravity steps are so much shorter, so that the fall in the step of a hit hardly shows.
 constexpr double finer = 16.0;
 
@@ -143,6 +147,36 @@ WallHit WallRange::comeFromMiddle(int circle, Wall wall, double e) const
     return hit;
 }
 
+std::optional<LentWall> WallRange::lend(int circle, Wall wall, double e) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
+    hit.otherRadius = m_ground.walls.radii.low;
+    const Vec2 n = outwardNormal(wall);
+    const Stage alone = stageOf(hit, speedOf(circle, 0), 0.29, {});
+    for (std::size_t other = 0; other < alone.preset.circles.size(); ++other) {
+        if (static_cast<int>(other) == circle)
+            continue;
+        hit.stage = alone;
+        Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
+        c.position += (0.5 - dot(n, c.position)) * n;
+        Circle &beyond = hit.stage.preset.circles[other].body;
+        beyond.velocity = -lentSpeed * n;
+        beyond.position += (hit.stage.preset.halfWidth - dot(n, beyond.position)) * n;
+        Probe probe(m_program, hit.stage);
+        const Circle before = probe.circle(circle);
+        if (!probe.runs() || !probe.step())
+            continue;
+        const Motion free = flightOf(circle).after(before, m_h);
+        hit.came = free.velocity;
+        hit.left = probe.circle(circle).velocity;
+        hit.step = 1;
+        hit.turned = dot(n, hit.came) > 0.0 && dot(n, hit.left) < 0.0;
+        if (hit.turned)
+            return LentWall{hit, static_cast<int>(other)};
+    }
+    return std::nullopt;
+}
+
 WallHit WallRange::comeFromFar(int circle, double speed) const
 {
     WallHit hit{.circle = circle, .restitution = m_ground.walls.restitutions.back()};
@@ -191,7 +225,7 @@ Stage WallRange::stageOf(const WallHit &hit, double speed, double share, const A
             const double out = 0.4 + 0.9 * static_cast<double>(i);
             c.position = aim.setting == 0 ? out * t - 0.6 * n : -out * t - 1.7 * n;
             const Flight &flight = flightOf(static_cast<int>(i));
-            c.velocity = aim.others / std::max(1.0, flight.way.x);
+            c.velocity = (m_falls ? fallingHaste : 1.0) / std::max(1.0, flight.way.x) * aim.others;
         }
     }
     return {preset, true};

@@ -40,6 +40,9 @@ public:
     /// From so far that one that looks a second ahead is not there yet.
     [[nodiscard]] WallHit comeFromFar(int circle, double speed) const;
 
+    /// Whether a circle in the middle is turned while another is beyond that wall, on its way in.
+    [[nodiscard]] std::optional<LentWall> lend(int circle, Wall wall, double e) const;
+
     /// A slow throw at the ceiling, in the longest steps: it comes back by less than it overshot.
     [[nodiscard]] Drop lob(int circle, double e, double speed) const;
 
