@@ -24,6 +24,9 @@ private slots:
     void lengthForTheRadiusIsTold();
     void openWallsAreTold();
     void placeOfAnotherIsTold();
+    void hitsWithoutGravityAreTold();
+    void startOfTheRunIsTold();
+    void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
     void slowHitsAreTold();
     void slowAnswerIsTold();
@@ -150,13 +153,13 @@ void TestToldWalls::reachOfAWallIsTold()
     QFETCH(QString, reach);
     QFETCH(double, more);
     const QString body = bodyOfWalls(wallsOf(wallWays[1], reach.toUtf8().constData()));
-    auto n = numbersIn(body, "The radius of circle # is # m, and at the * it turns when its centre "
-                             "is between # and # m from the wall.");
+    auto n = numbersIn(body, "The radius of circle # is # m, and at the * it turned when its "
+                             "centre was between # and # m from the wall.");
     double sign = 1.0;
     if (n.empty()) {
         sign = -1.0;
-        n = numbersIn(body, "The radius of circle # is # m, and at the * it turns when its centre "
-                            "is between # and # m past the wall.");
+        n = numbersIn(body, "The radius of circle # is # m, and at the * it turned when its "
+                            "centre was between # and # m past the wall.");
     }
     QVERIFY2(n.size() == 4, qPrintable(body));
     QCOMPARE(sign, more < -0.5 ? -1.0 : 1.0);
@@ -221,6 +224,55 @@ void TestToldWalls::placeOfAnotherIsTold()
     }
 }
 
+/// Who turns in place of falling misses what gravity gives in that step.
+void TestToldWalls::hitsWithoutGravityAreTold()
+{
+    QString walls = wallsOf(wallWays[0], "c.radius", "1");
+    walls += QStringLiteral(" if c.velocity.x * vx0 < 0 then c.velocity = c.velocity - gravity * h "
+                            "end");
+    const QString body =
+        bodyOfWalls(QStringLiteral("local vx0 = c.velocity.x ") + walls,
+                    text("In the step of a hit at the left wall and right wall gravity does not "
+                         "act on circle 1"),
+                    "L42T3");
+    const auto n = numbersIn(body, "In a step of #/# s gravity changes the velocity by (#, #) m/s, "
+                                   "in the step of a hit, too. When circle # was turned at the *, "
+                                   "the part along the wall stayed as it was before the step.");
+    QVERIFY2(n.size() == 5, qPrintable(body));
+    QVERIFY(isNear(n[3], -9.81 * n[0] / n[1]));
+    QCOMPARE(n[4], 1.0);
+}
+
+/// The old place is kept once and never again.
+void TestToldWalls::startOfTheRunIsTold()
+{
+    const LawBench bench(task(text("L42T2")));
+    const QString program =
+        written({.start = QStringLiteral("first = {}"),
+                 .walls = QStringLiteral("first[c.index] = first[c.index] or old "
+                                         "local old = first[c.index] ")
+                          + wallsOf(wallWays[0])},
+                structures[0]);
+    const MeasuredLaws own(&program, bench.ground);
+    const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
+    QCOMPARE(LawBench::headlines(found),
+             QStringList(text("Hits at the walls put circle 1 back to the start of the run")));
+}
+
+void TestToldWalls::otherLawsAtOtherWallsAreToldApart()
+{
+    const LawBench bench(task(text("L42T17")));
+    const QString program = written(
+        {.walls = wallsOf(wallWays[1], "c.radius",
+                          "(c.index == 1 and s > 0 and was == old.y and 1 or c.index == 2 and "
+                          "s < 0 and was == old.y and 0.75 or restitution)")},
+        structures[0]);
+    const MeasuredLaws own(&program, bench.ground);
+    QCOMPARE(LawBench::headlines(wallDeviations(own.walls(), bench.right.walls(), bench.ground)),
+             QStringList({text("At the floor a number stands for e, for circle 2"),
+                          text("Hits at the ceiling give circle 1 all of the speed back")}));
+}
+
 void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
 {
     const QString walls = wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 2 and 0.5 or 1)");
@@ -239,7 +291,7 @@ void TestToldWalls::slowHitsAreTold()
     QString walls = wallsOf(wallWays[1], "c.radius", "restitution");
     walls.replace(QLatin1String("s * v > 0"), QLatin1String("s * v > 0 and math.abs(v) > 0.7"));
     const QString body =
-        bodyOfWalls(walls, text("Slow hits at the right wall leave both circles moving outward"));
+        bodyOfWalls(walls, text("Slow hits at the walls leave both circles moving outward"));
     const auto n = numbersIn(body, "Circle # came to the * with # m/s and went on past it; with # "
                                    "m/s it is turned round.");
     QVERIFY2(n.size() == 3, qPrintable(body));
@@ -252,7 +304,7 @@ void TestToldWalls::slowAnswerIsTold()
 {
     const QString body = bodyOfWalls(
         wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 0.7 and restitution or 0.9)"),
-        text("Slow hits at the right wall give both circles another share of the speed back"));
+        text("Slow hits at the walls give both circles another share of the speed back"));
     const auto n =
         numbersIn(body, "Here e is #. Circle # came to the * with # m/s and left it with "
                         "# times that speed; # times is right");

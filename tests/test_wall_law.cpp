@@ -65,17 +65,18 @@ void TestWallLaw::slowHitsAreLookedAt_data()
     for (const char *step : {"L42T9", "L42T12"}) {
         QTest::addRow("threshold, %s", step)
             << text(step) << fast << text("restitution")
-            << QStringList(text("Slow hits at the right wall leave both circles moving outward"));
+            << QStringList(text("Slow hits at the walls leave both circles moving outward"));
         QTest::addRow("right, %s", step)
             << text(step) << turns << text("restitution") << QStringList();
     }
     QTest::addRow("threshold under gravity")
         << text("L42T3") << fast << text("restitution")
-        << QStringList(text("Slow hits at the right wall leave circle 1 moving outward"));
+        << QStringList(
+               text("Slow hits at the left wall and right wall leave circle 1 moving outward"));
     QTest::addRow("another factor")
         << text("L42T17") << turns << text("math.abs(v) < 1 and 0 or restitution")
-        << QStringList(text(
-               "Slow hits at the right wall give both circles another share of the speed back"));
+        << QStringList(
+               text("Slow hits at the walls give both circles another share of the speed back"));
 }
 
 void TestWallLaw::slowHitsAreLookedAt()

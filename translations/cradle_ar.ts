@@ -2803,18 +2803,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>⁦1 + e⁩ هو تغير السرعة كله، وe ما يعود منها.</translation>
     </message>
     <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
-        <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ يأتي الارتداد حين يكون مركزها بين ⁨%4⁩ و⁦%5 m⁩ من الجدار. يجب أن ترتد حين تكون حافتها هناك.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
-        <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ يأتي الارتداد حين يكون مركزها بين ⁦%4 m⁩ وراء الجدار و⁦%5 m⁩ قبله. يجب أن ترتد حين تكون حافتها هناك.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m past the wall. It should turn when its rim is there.</source>
-        <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ يأتي الارتداد حين يكون مركزها بين ⁨%4⁩ و⁦%5 m⁩ وراء الجدار. يجب أن ترتد حين تكون حافتها هناك.</translation>
-    </message>
-    <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
         <translation>في الركن لا تنعكس إلا مركّبة واحدة من سرعة %who</translation>
     </message>
@@ -2857,10 +2845,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
         <translation>من ⁦%1 m/s⁩ في البداية تصير السرعة ⁦%2 m/s⁩ بعد خطوة، بعيدًا عن كل جدار وكل دائرة أخرى؛ أما الأسرع فيمضي. انظر إلى الشروط التي قبل الأسطر التي تغيّر السرعة.</translation>
-    </message>
-    <message>
-        <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>لا ترتد الدائرة ⁨%3⁩ إلا حين يتجاوز مركزها الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
@@ -4187,6 +4171,86 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
     <message>
         <source>Equal circles answer rightly, not all unequal ones do</source>
         <translation>الدائرتان المتساويتان تستجيبان استجابة صحيحة، لا كل دائرتين مختلفتين</translation>
+    </message>
+    <message>
+        <source>all while another circle moved to the right, no others</source>
+        <translation>كل ما كانت دائرة أخرى تتحرك أثناءه إلى اليمين، ولا غيره</translation>
+    </message>
+    <message>
+        <source>all while another circle moved to the left, no others</source>
+        <translation>كل ما كانت دائرة أخرى تتحرك أثناءه إلى اليسار، ولا غيره</translation>
+    </message>
+    <message>
+        <source>all while another circle moved upward, no others</source>
+        <translation>كل ما كانت دائرة أخرى تتحرك أثناءه إلى الأعلى، ولا غيره</translation>
+    </message>
+    <message>
+        <source>all while another circle moved downward, no others</source>
+        <translation>كل ما كانت دائرة أخرى تتحرك أثناءه إلى الأسفل، ولا غيره</translation>
+    </message>
+    <message>
+        <source>In the step of a hit at the %walls gravity does not act on %who</source>
+        <translation>في خطوة التصادم عند %walls لا تؤثر الجاذبية في %who</translation>
+    </message>
+    <message>
+        <source>In a step of %1 s gravity changes the velocity by %2 m/s, in the step of a hit, too. When circle %4 was turned at the %3, the part along the wall stayed as it was before the step.</source>
+        <translation>في خطوة مدتها ⁦%1 s⁩ تغيّر الجاذبية السرعة بمقدار ⁦%2 m/s⁩، في خطوة التصادم أيضًا. وحين ارتدت الدائرة ⁨%4⁩ عند ⁨%3⁩ بقيت المركّبة الموازية للجدار كما كانت قبل الخطوة.</translation>
+    </message>
+    <message>
+        <source>At the %walls the parts of the velocity of %who are mixed up</source>
+        <translation>عند %walls اختلطت مركّبتا سرعة %who</translation>
+    </message>
+    <message>
+        <source>The part into the wall is turned round, the part along it stays: look at which part stands where.</source>
+        <translation>المركّبة المتجهة إلى الجدار تنعكس، والموازية له تبقى: انظر أيّ مركّبة ترد في أيّ موضع.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 times the whole velocity back</source>
+        <translation>التصادمات عند %walls تعيد إلى %who السرعة كلها مضروبةً في ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>At the %walls the place of circle %1 is asked for, not that of %who</source>
+        <translation>عند %walls يُسأل عن موضع الدائرة ⁨%1⁩، لا عن موضع %who</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. In the middle its velocity changed from %4 to %5 m/s, with circle %6 beyond that wall. Look at whose place stands in the question.</source>
+        <translation>قُذفت الدائرة ⁨%3⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ فمضت إلى ما بعده. وفي الوسط تغيّرت سرعتها من ⁨%4⁩ إلى ⁦%5 m/s⁩ والدائرة ⁨%6⁩ وراء ذلك الجدار. انظر موضع أيّ دائرة يرد في السؤال.</translation>
+    </message>
+    <message>
+        <source>Circle %3 is answered only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>لا يُستجاب للدائرة ⁨%3⁩ إلا حين يتجاوز مركزها الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
+    </message>
+    <message>
+        <source>Some hits at the %walls turn %who round too early</source>
+        <translation>بعض التصادمات عند %walls تردّ %who قبل الأوان</translation>
+    </message>
+    <message>
+        <source>Some hits at the %walls turn %who round too late</source>
+        <translation>بعض التصادمات عند %walls تردّ %who متأخرة</translation>
+    </message>
+    <message>
+        <source>Of %1 hits tried there, %2 came at the rim.</source>
+        <translation>من بين ⁨%1⁩ تصادمات مجرّبة هناك، عند الحافة: ⁨%2⁩.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 and %5 m from the wall. It should turn when its rim is there.</source>
+        <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ جاء الارتداد حين كان مركزها بين ⁨%4⁩ و⁦%5 m⁩ من الجدار. يجب أن ترتد حين تكون حافتها هناك.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
+        <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ جاء الارتداد حين كان مركزها بين ⁦%4 m⁩ وراء الجدار و⁦%5 m⁩ قبله. يجب أن ترتد حين تكون حافتها هناك.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 and %5 m past the wall. It should turn when its rim is there.</source>
+        <translation>نصف قطر الدائرة ⁨%1⁩ هو ⁦%2 m⁩، وعند ⁨%3⁩ جاء الارتداد حين كان مركزها بين ⁨%4⁩ و⁦%5 m⁩ وراء الجدار. يجب أن ترتد حين تكون حافتها هناك.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who back to the start of the run</source>
+        <translation>التصادمات عند %walls تعيد %who إلى حيث بدأ التشغيل</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %3 was put %2 m from the wall, as far as it was when the run began. The old place is that before the step: keep it anew in every step.</source>
+        <translation>عند ⁨%1⁩ وُضع مركز الدائرة ⁨%3⁩ على بعد ⁦%2 m⁩ من الجدار، كما كان عند بدء التشغيل. الموضع القديم هو ما قبل الخطوة: احفظه من جديد في كل خطوة.</translation>
     </message>
 </context>
 <context>

@@ -2807,18 +2807,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Zwischen gleichen Kreisen ist der Kraftstoß %1-mal so groß, wie er sein soll</translation>
     </message>
     <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
-        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 und %5 m von der Wand entfernt ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
-        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 m hinter der Wand und %5 m vor ihr ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m past the wall. It should turn when its rim is there.</source>
-        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrt er um, wenn sein Mittelpunkt zwischen %4 und %5 m hinter der Wand ist. Umkehren sollte er, wenn sein Rand dort ist.</translation>
-    </message>
-    <message>
         <source>A hit soon after another is not answered</source>
         <translation>Ein Stoß bald nach einem anderen wird nicht beantwortet</translation>
     </message>
@@ -2833,10 +2821,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
         <translation>Aus %1 m/s am Anfang werden einen Schritt später %2 m/s, fern von jeder Wand und jedem anderen Kreis; ein schnellerer läuft weiter. Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
-    </message>
-    <message>
-        <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Kreis %3 kehrt erst um, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
@@ -4143,6 +4127,86 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>Equal circles answer rightly, not all unequal ones do</source>
         <translation>Gleiche Kreise antworten richtig, nicht alle ungleichen</translation>
+    </message>
+    <message>
+        <source>all while another circle moved to the right, no others</source>
+        <translation>alle, während ein anderer Kreis sich nach rechts bewegte, sonst keiner</translation>
+    </message>
+    <message>
+        <source>all while another circle moved to the left, no others</source>
+        <translation>alle, während ein anderer Kreis sich nach links bewegte, sonst keiner</translation>
+    </message>
+    <message>
+        <source>all while another circle moved upward, no others</source>
+        <translation>alle, während ein anderer Kreis sich nach oben bewegte, sonst keiner</translation>
+    </message>
+    <message>
+        <source>all while another circle moved downward, no others</source>
+        <translation>alle, während ein anderer Kreis sich nach unten bewegte, sonst keiner</translation>
+    </message>
+    <message>
+        <source>In the step of a hit at the %walls gravity does not act on %who</source>
+        <translation>Im Schritt eines Stoßes an %walls wirkt die Schwerkraft nicht auf %who</translation>
+    </message>
+    <message>
+        <source>In a step of %1 s gravity changes the velocity by %2 m/s, in the step of a hit, too. When circle %4 was turned at the %3, the part along the wall stayed as it was before the step.</source>
+        <translation>In einem Schritt von %1 s ändert die Schwerkraft die Geschwindigkeit um %2 m/s, auch im Schritt eines Stoßes. Als Kreis %4 an %3 umkehrte, blieb der Anteil längs der Wand, wie er vor dem Schritt war.</translation>
+    </message>
+    <message>
+        <source>At the %walls the parts of the velocity of %who are mixed up</source>
+        <translation>An %walls sind die Anteile der Geschwindigkeit von %who vertauscht</translation>
+    </message>
+    <message>
+        <source>The part into the wall is turned round, the part along it stays: look at which part stands where.</source>
+        <translation>Der Anteil zur Wand hin kehrt um, der längs der Wand bleibt: Sieh dir an, welcher Anteil wo steht.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 times the whole velocity back</source>
+        <translation>An %walls kommt für %who das %1-Fache der ganzen Geschwindigkeit zurück</translation>
+    </message>
+    <message>
+        <source>At the %walls the place of circle %1 is asked for, not that of %who</source>
+        <translation>An %walls wird nach dem Ort von Kreis %1 gefragt, nicht nach dem von %who</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. In the middle its velocity changed from %4 to %5 m/s, with circle %6 beyond that wall. Look at whose place stands in the question.</source>
+        <translation>Mit %2 m/s zu %1 geworfen, ging Kreis %3 darüber hinaus. In der Mitte änderte sich seine Geschwindigkeit von %4 auf %5 m/s, während Kreis %6 hinter dieser Wand war. Sieh dir an, wessen Ort in der Frage steht.</translation>
+    </message>
+    <message>
+        <source>Circle %3 is answered only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Auf Kreis %3 wird erst geantwortet, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
+    </message>
+    <message>
+        <source>Some hits at the %walls turn %who round too early</source>
+        <translation>Manche Stöße an %walls lassen %who zu früh umkehren</translation>
+    </message>
+    <message>
+        <source>Some hits at the %walls turn %who round too late</source>
+        <translation>Manche Stöße an %walls lassen %who zu spät umkehren</translation>
+    </message>
+    <message>
+        <source>Of %1 hits tried there, %2 came at the rim.</source>
+        <translation>Von %1 dort versuchten Stößen am Rand: %2.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 and %5 m from the wall. It should turn when its rim is there.</source>
+        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrte er um, als sein Mittelpunkt zwischen %4 und %5 m von der Wand entfernt war. Umkehren sollte er, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
+        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrte er um, als sein Mittelpunkt zwischen %4 m hinter der Wand und %5 m vor ihr war. Umkehren sollte er, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 and %5 m past the wall. It should turn when its rim is there.</source>
+        <translation>Der Radius von Kreis %1 ist %2 m, und an %3 kehrte er um, als sein Mittelpunkt zwischen %4 und %5 m hinter der Wand war. Umkehren sollte er, wenn sein Rand dort ist.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who back to the start of the run</source>
+        <translation>Stöße an %walls setzen %who dorthin, wo der Lauf begann</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %3 was put %2 m from the wall, as far as it was when the run began. The old place is that before the step: keep it anew in every step.</source>
+        <translation>An %1 wurde der Mittelpunkt von Kreis %3 auf %2 m von der Wand gesetzt, so weit, wie er bei Beginn des Laufs war. Der alte Ort ist der vor dem Schritt: Merke ihn dir in jedem Schritt neu.</translation>
     </message>
 </context>
 <context>

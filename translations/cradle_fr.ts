@@ -2779,18 +2779,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>1 + e est tout le changement de la vitesse, e ce qui revient.</translation>
     </message>
     <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m from the wall. It should turn when its rim is there.</source>
-        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 et %5 m de la paroi. Il doit faire demi-tour quand son bord y est.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
-        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 m derrière la paroi et %5 m devant elle. Il doit faire demi-tour quand son bord y est.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %1 is %2 m, and at the %3 it turns when its centre is between %4 and %5 m past the wall. It should turn when its rim is there.</source>
-        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il fait demi-tour quand son centre est entre %4 et %5 m derrière la paroi. Il doit faire demi-tour quand son bord y est.</translation>
-    </message>
-    <message>
         <source>In a corner only one part of the velocity of %who turns round</source>
         <translation>Dans un coin, une seule composante de la vitesse s&apos;inverse, pour %who</translation>
     </message>
@@ -2833,10 +2821,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, far from every wall and every other circle; a faster one goes on. Look at the conditions in front of the lines that change the velocity.</source>
         <translation>De %1 m/s au départ, la vitesse passe à %2 m/s un pas plus tard, loin de toute paroi et de tout autre cercle&#xa0;; un cercle plus rapide continue. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
-    </message>
-    <message>
-        <source>Circle %3 turns only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Le cercle %3 ne fait demi-tour que lorsque son centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
@@ -4143,6 +4127,86 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
     <message>
         <source>Equal circles answer rightly, not all unequal ones do</source>
         <translation>Des cercles égaux réagissent bien, mais pas tous les cercles inégaux</translation>
+    </message>
+    <message>
+        <source>all while another circle moved to the right, no others</source>
+        <translation>tous ceux pendant lesquels un autre cercle allait vers la droite, aucun autre</translation>
+    </message>
+    <message>
+        <source>all while another circle moved to the left, no others</source>
+        <translation>tous ceux pendant lesquels un autre cercle allait vers la gauche, aucun autre</translation>
+    </message>
+    <message>
+        <source>all while another circle moved upward, no others</source>
+        <translation>tous ceux pendant lesquels un autre cercle allait vers le haut, aucun autre</translation>
+    </message>
+    <message>
+        <source>all while another circle moved downward, no others</source>
+        <translation>tous ceux pendant lesquels un autre cercle allait vers le bas, aucun autre</translation>
+    </message>
+    <message>
+        <source>In the step of a hit at the %walls gravity does not act on %who</source>
+        <translation>Au pas d&apos;un choc contre %walls, la pesanteur n&apos;agit pas sur %who</translation>
+    </message>
+    <message>
+        <source>In a step of %1 s gravity changes the velocity by %2 m/s, in the step of a hit, too. When circle %4 was turned at the %3, the part along the wall stayed as it was before the step.</source>
+        <translation>Dans un pas de %1 s, la pesanteur change la vitesse de %2 m/s, au pas d&apos;un choc aussi. Quand le cercle %4 a fait demi-tour contre %3, la composante le long de la paroi est restée celle d&apos;avant le pas.</translation>
+    </message>
+    <message>
+        <source>At the %walls the parts of the velocity of %who are mixed up</source>
+        <translation>Contre %walls, les composantes de la vitesse sont confondues, pour %who</translation>
+    </message>
+    <message>
+        <source>The part into the wall is turned round, the part along it stays: look at which part stands where.</source>
+        <translation>La composante vers la paroi s&apos;inverse, celle le long de la paroi reste&#xa0;: regardez laquelle figure où.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who %1 times the whole velocity back</source>
+        <translation>Les chocs contre %walls rendent %1 fois la vitesse entière, pour %who</translation>
+    </message>
+    <message>
+        <source>At the %walls the place of circle %1 is asked for, not that of %who</source>
+        <translation>Contre %walls, c&apos;est la position du cercle %1 qui est comparée, au lieu de la bonne, pour %who</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. In the middle its velocity changed from %4 to %5 m/s, with circle %6 beyond that wall. Look at whose place stands in the question.</source>
+        <translation>Lancé vers %1 avec %2 m/s, le cercle %3 a continué au-delà. Au milieu, sa vitesse est passée de %4 à %5 m/s, alors que le cercle %6 était derrière cette paroi. Regardez de qui la position figure dans la question.</translation>
+    </message>
+    <message>
+        <source>Circle %3 is answered only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Le cercle %3 ne reçoit de réponse que lorsque son centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
+    </message>
+    <message>
+        <source>Some hits at the %walls turn %who round too early</source>
+        <translation>Certains chocs contre %walls renvoient %who trop tôt</translation>
+    </message>
+    <message>
+        <source>Some hits at the %walls turn %who round too late</source>
+        <translation>Certains chocs contre %walls renvoient %who trop tard</translation>
+    </message>
+    <message>
+        <source>Of %1 hits tried there, %2 came at the rim.</source>
+        <translation>Sur %1 chocs essayés là, au bord&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 and %5 m from the wall. It should turn when its rim is there.</source>
+        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il a fait demi-tour quand son centre était entre %4 et %5 m de la paroi. Il doit faire demi-tour quand son bord y est.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 m past the wall and %5 m short of it. It should turn when its rim is there.</source>
+        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il a fait demi-tour quand son centre était entre %4 m derrière la paroi et %5 m devant elle. Il doit faire demi-tour quand son bord y est.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %1 is %2 m, and at the %3 it turned when its centre was between %4 and %5 m past the wall. It should turn when its rim is there.</source>
+        <translation>Le rayon du cercle %1 est de %2 m et, contre %3, il a fait demi-tour quand son centre était entre %4 et %5 m derrière la paroi. Il doit faire demi-tour quand son bord y est.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls put %who back to the start of the run</source>
+        <translation>Les chocs contre %walls replacent %who là où l&apos;exécution a commencé</translation>
+    </message>
+    <message>
+        <source>At the %1 the centre of circle %3 was put %2 m from the wall, as far as it was when the run began. The old place is that before the step: keep it anew in every step.</source>
+        <translation>Contre %1, le centre du cercle %3 a été placé à %2 m de la paroi, aussi loin qu&apos;au début de l&apos;exécution. L&apos;ancienne position est celle d&apos;avant le pas&#xa0;: conservez-la de nouveau à chaque pas.</translation>
     </message>
 </context>
 <context>

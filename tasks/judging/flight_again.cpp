@@ -26,6 +26,16 @@ Vec2 placeAt(int look, std::size_t circle)
             heights[(k + 5 * circle + circle / 2) % heights.size()]};
 }
 
+/// Some are so much faster, where they come to nothing.
+constexpr double fast = 6.0;
+constexpr int fastLook = 5;
+constexpr double middle = 2.5; ///< m
+
+bool isInMiddle(Vec2 place)
+{
+    return std::max(std::abs(place.x), std::abs(place.y)) < middle;
+}
+
 /// Sets the circles of \p scene to where they are at that look.
 void placeFor(int look, Preset &scene)
 {
@@ -34,7 +44,9 @@ void placeFor(int look, Preset &scene)
         c.position = placeAt(look, i);
         // Up and down at all heights, but away from the floor.
         const bool isUp = look % 2 != 0 || c.position.y < lowest;
-        c.velocity = {i % 2 == 0 ? 1.13 : -1.21, isUp ? 1.37 : -1.43};
+        const double side = (static_cast<std::size_t>(look) / 3 + i) % 2 == 0 ? 1.13 : -1.21;
+        const bool isFast = look % fastLook == 0 && isInMiddle(c.position);
+        c.velocity = (isFast ? fast : 1.0) * Vec2{side, isUp ? 1.37 : -1.43};
     }
 }
 

@@ -54,7 +54,7 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             if (const auto found = isOpen ? range.lend(circle, wall, all.back()) : std::nullopt)
                 lent.push_back(*found);
         }
-        for (const Wall wall : {Wall::Right, Wall::Bottom})
+        for (const Wall wall : {Wall::Right, Wall::Bottom, Wall::Left, Wall::Top})
             slow.push_back(range.creep(circle, wall, all.size() > 1 ? middleOf(all) : all.back()));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
             corners.push_back(range.shoot(circle, wall, all.back(), 0, true));

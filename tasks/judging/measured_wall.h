@@ -100,7 +100,7 @@ struct MeasuredWalls {
     std::vector<WallHit> hits{}; ///< circle by circle, wall by wall
     std::vector<WallHit>
         corners{};               ///< of those hits both parts should turn; \c along tells the other
-    std::vector<WallHit> slow{}; ///< two of each circle, with an e of the middle
+    std::vector<WallHit> slow{}; ///< at each wall, with an e of the middle
     std::vector<WallHit> far{};  ///< of circles that are turned at once: two from far away
     std::vector<WallHit> middle{}; ///< and one from the middle to each wall where they are
     std::vector<LentWall> lent{};  ///< where nothing is answered, if another being there is

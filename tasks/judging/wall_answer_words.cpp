@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cradle {
 
@@ -26,7 +27,38 @@ public:
     {
     }
 
-    [[nodiscard]] std::optional<LawDeviation> find() const
+    /// One law for all that comes out wrong, if there is one; else circle by circle and wall by
+    /// wall.
+    [[nodiscard]] std::vector<LawDeviation> find() const
+    {
+        const std::vector<std::size_t> odd = oddHits();
+        std::vector<LawDeviation> found;
+        if (odd.empty()) {
+            if (const auto fall = withoutGravity())
+                found.push_back(*fall);
+            return found;
+        }
+        std::map<std::pair<int, Wall>, std::vector<std::size_t>> parts;
+        for (const std::size_t i : odd)
+            parts[{m_own.hits[i].circle, m_own.hits[i].wall}].push_back(i);
+        std::map<QString, std::vector<std::size_t>> alike;
+        for (const auto &[of, part] : parts) {
+            std::vector<std::size_t> &all = alike[wordsOf(part).headline];
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        if (alike.size() == 1 || alike.size() > mostAnswers || wordsOf(odd).isLaw)
+            return {told(odd)};
+        for (const auto &[headline, part] : alike)
+            found.push_back(told(part));
+        return found;
+    }
+
+private:
+    /// More kinds of wrong answers are told as one.
+    static constexpr std::size_t mostAnswers = 2;
+
+    /// The hits whose answer is not that of the reference.
+    [[nodiscard]] std::vector<std::size_t> oddHits() const
     {
         std::vector<std::size_t> odd;
         for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
@@ -44,28 +76,84 @@ public:
                          || !isNear(hit.along, right.along, blur())))
                 odd.push_back(i);
         }
-        if (odd.empty())
-            return std::nullopt;
+        return odd;
+    }
+
+    /// What is said of hits, with %who and %walls.
+    struct Words {
+        QString headline;
+        QString why;
+        bool isLaw = true; ///< one for all of them, not what differs from hit to hit
+    };
+
+    [[nodiscard]] Words wordsOf(const std::vector<std::size_t> &odd) const
+    {
+        const std::size_t at = mostTelling(odd);
+        Words words = answerWords(odd, m_own.hits[at], rightOf(at));
+        words.isLaw &= std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
+            return m_own.hits[i].held == m_own.hits[at].held;
+        });
+        return words;
+    }
+
+    /// The hit that shows most: one with losses, if those are what is wrong.
+    [[nodiscard]] std::size_t mostTelling(const std::vector<std::size_t> &odd) const
+    {
+        return *std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
+            return std::abs(m_own.hits[a].restitution - 0.5)
+                   < std::abs(m_own.hits[b].restitution - 0.5);
+        });
+    }
+
+    [[nodiscard]] LawDeviation told(const std::vector<std::size_t> &odd) const
+    {
         const Whose concerned =
             whose([&](std::size_t i) { return std::find(odd.begin(), odd.end(), i) != odd.end(); });
-        // The hit that shows most: one with losses, if those are what is wrong.
-        const std::size_t at = *std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
-            const auto rank = [&](std::size_t i) {
-                const double e = m_own.hits[i].restitution;
-                return std::abs(e - 0.5);
-            };
-            return rank(a) < rank(b);
-        });
+        const std::size_t at = mostTelling(odd);
         const WallHit &hit = m_own.hits[at];
         const WallHit &right = rightOf(at);
-        const auto [headline, why] = answerWords(odd, hit, right);
-        LawDeviation found = deviation(headline, seenAt(hit, right) + QLatin1Char(' ') + why, hit,
-                                       concerned, Suspect::Formula);
+        const Words words = wordsOf(odd);
+        LawDeviation found =
+            deviation(words.headline, seenAt(hit, right) + QLatin1Char(' ') + words.why, hit,
+                      concerned, Suspect::Formula);
         found.shown = static_cast<int>(odd.size());
         return found;
     }
 
-private:
+    /// That a circle does not fall in the step of a hit: at side walls, where that alone changes
+    /// the part along the wall.
+    [[nodiscard]] std::optional<LawDeviation> withoutGravity() const
+    {
+        const auto missing = [&](const WallHit &hit) {
+            return hit.stage.preset.timestep * hit.stage.preset.gravity.y;
+        };
+        const auto isSide = [](const WallHit &hit) { return outwardNormal(hit.wall).x != 0.0; };
+        const auto isWithout = [&](const WallHit &hit) {
+            return std::abs(hit.left.y - hit.came.y + missing(hit)) < 1e-6 * std::abs(hit.came.y);
+        };
+        const auto isMeant = [&](std::size_t i) {
+            const WallHit &hit = m_own.hits[i];
+            return isSide(hit) && hit.turned && !hit.missed && std::abs(missing(hit)) > 1e-3
+                   && isWithout(hit) && !isWithout(rightOf(i));
+        };
+        const Whose concerned = whose(isMeant);
+        if (concerned.circles.empty())
+            return std::nullopt;
+        const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            return isMeant(static_cast<std::size_t>(&hit - m_own.hits.data()));
+        });
+        return deviation(
+            WallText::tr("In the step of a hit at the %walls gravity does not act on %who"),
+            WallText::tr("In a step of %1 s gravity changes the velocity by %2 m/s, in the step of "
+                         "a hit, too. When circle %4 was turned at the %3, the part along the wall "
+                         "stayed as it was before the step.")
+                .arg(briefTimestep(at->stage.preset.timestep),
+                     brief(at->stage.preset.timestep * at->stage.preset.gravity),
+                     motion::wallName(at->wall))
+                .arg(at->circle + 1),
+            *at, concerned, Suspect::Formula);
+    }
+
     /// Whether that wall turns that circle in another throw: then where or when is what is wrong.
     [[nodiscard]] bool isTurnedElse(const WallHit &held) const
     {
@@ -103,8 +191,8 @@ private:
         });
     }
 
-    [[nodiscard]] std::pair<QString, QString>
-    answerWords(const std::vector<std::size_t> &odd, const WallHit &hit, const WallHit &right) const
+    [[nodiscard]] Words answerWords(const std::vector<std::size_t> &odd, const WallHit &hit,
+                                    const WallHit &right) const
     {
         const auto back = [](const WallHit &h) { return h.back; };
         const auto along = [](const WallHit &h) { return h.along; };
@@ -144,14 +232,40 @@ private:
         if (follows(odd, along, zero))
             return {WallText::tr("Hits at the %walls take the part of %who along the wall away"),
                     normalOnly};
+        if (isOfOtherPart(odd))
+            return {WallText::tr("At the %walls the parts of the velocity of %who are mixed up"),
+                    WallText::tr("The part into the wall is turned round, the part along it stays: "
+                                 "look at which part stands where.")};
+        const auto whole = [&](double) { return hit.along; };
+        if (!isNear(hit.along, right.along, blur()) && follows(odd, along, whole)
+            && follows(odd, back, whole))
+            return {WallText::tr("Hits at the %walls give %who %1 times the whole velocity back")
+                        .arg(brief(hit.along)),
+                    normalOnly};
         if (!isNear(hit.along, right.along, blur()))
             return {WallText::tr("Hits at the %walls change the part of %who along the wall"),
-                    normalOnly};
+                    normalOnly, false};
         return backWords(odd, hit);
     }
 
-    [[nodiscard]] std::pair<QString, QString> backWords(const std::vector<std::size_t> &odd,
-                                                        const WallHit &hit) const
+    /// Whether in all of them the part into the wall afterwards is as large as that along it was
+    /// before, or the other way round.
+    [[nodiscard]] bool isOfOtherPart(const std::vector<std::size_t> &odd) const
+    {
+        const auto isEqual = [&](double a, double b) {
+            return isNear(std::abs(a), std::abs(b), blur());
+        };
+        return odd.size() > 1 && std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
+                   const WallHit &hit = m_own.hits[i];
+                   const Vec2 n = outwardNormal(hit.wall);
+                   const Vec2 t = perpendicular(n);
+                   return isEqual(dot(hit.left, n), dot(hit.came, t))
+                          || (isEqual(dot(hit.left, t), dot(hit.came, n))
+                              && !isEqual(dot(hit.left, t), dot(hit.came, t)));
+               });
+    }
+
+    [[nodiscard]] Words backWords(const std::vector<std::size_t> &odd, const WallHit &hit) const
     {
         const auto back = [](const WallHit &h) { return h.back; };
         for (const BackLaw &law : backLaws()) {
@@ -184,7 +298,8 @@ private:
                     WallText::tr("With e = %1 it is %2 times the speed, with e = %3 %4 times.")
                             .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
                                  brief(other->back))
-                        + QLatin1Char(' ') + lookAtNew()};
+                        + QLatin1Char(' ') + lookAtNew(),
+                    false};
         const auto lowest = std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
             return m_own.hits[a].back < m_own.hits[b].back;
         });
@@ -197,7 +312,7 @@ private:
             return {
                 WallText::tr("Hits at the %walls give %who between %1 and %2 times the speed back")
                     .arg(brief(least), brief(most)),
-                extremes(m_own.hits[*lowest], m_own.hits[*highest])};
+                extremes(m_own.hits[*lowest], m_own.hits[*highest]), false};
         const double asked = rightOf(static_cast<std::size_t>(&hit - m_own.hits.data())).back;
         return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
                     .arg(briefBeside(hit.back, asked)),
@@ -316,7 +431,7 @@ private:
 
 } // namespace
 
-std::optional<LawDeviation> answerDeviation(const WallComparison &walls)
+std::vector<LawDeviation> answerDeviations(const WallComparison &walls)
 {
     return AnswerJudge(walls).find();
 }

@@ -85,6 +85,6 @@ protected:
 /// What walls make of a slow circle that they do not make of a fast one.
 [[nodiscard]] std::optional<LawDeviation> slowAnswerDeviation(const WallComparison &walls);
 /// What walls make of a velocity that they should not.
-[[nodiscard]] std::optional<LawDeviation> answerDeviation(const WallComparison &walls);
+[[nodiscard]] std::vector<LawDeviation> answerDeviations(const WallComparison &walls);
 
 } // namespace cradle

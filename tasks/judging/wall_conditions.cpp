@@ -88,10 +88,14 @@ private:
     [[nodiscard]] bool isRightAnswer(const WallHit &hit, const WallHit &right) const
     {
         const double blur = std::max(m_own.walls().blur, m_right.walls().blur);
-        const auto isNear = [&](double a, double b) {
-            return std::abs(a - b) <= blur * (1.0 + std::abs(b));
+        // Of a slow part what falls in that step is a large share.
+        const double fall = 1.1 * hit.stage.preset.timestep * length(hit.stage.preset.gravity);
+        const auto isNear = [&](double a, double b, double part) {
+            return std::abs(a - b) <= blur * (1.0 + std::abs(b)) + fall / std::abs(part);
         };
-        return hit.turned && isNear(hit.back, right.back) && isNear(hit.along, right.along);
+        const Vec2 n = outwardNormal(hit.wall);
+        return hit.turned && isNear(hit.back, right.back, dot(n, hit.came))
+               && isNear(hit.along, right.along, dot(perpendicular(n), hit.came));
     }
 
     /// Of hits at the walls, in long runs and at the start of others.

@@ -65,8 +65,11 @@ public:
 
     [[nodiscard]] LawDeviation ofSlow(const WallHit &hit, const std::vector<int> &circles) const
     {
-        LawDeviation found = deviation(WallText::tr("Hits at the %walls turn %who round too early"),
-                                       between(hit), hit, {circles, {hit.wall}}, Suspect::Reach);
+        const auto [headline, body] =
+            hit.step == 1 ? atOnce(hit)
+                          : std::pair(WallText::tr("Hits at the %walls turn %who round too early"),
+                                      between(hit));
+        LawDeviation found = deviation(headline, body, hit, {circles, {hit.wall}}, Suspect::Reach);
         found.family = QStringLiteral("reach");
         found.isEverywhere = true;
         return found;
@@ -148,8 +151,9 @@ private:
         };
         return {
             {fixed(0.0), WallText::tr("At the %walls the centre of %who is asked for, not the rim"),
-             WallText::tr("Circle %3 turns only when its centre is past the wall, with its rim one "
-                          "radius, %1 m, outside. A wall meets a body where the body ends.")},
+             WallText::tr(
+                 "Circle %3 is answered only when its centre is past the wall, with its rim "
+                 "one radius, %1 m, outside. A wall meets a body where the body ends.")},
             {[](const WallHit &hit) { return hit.otherRadius; },
              WallText::tr("At the %walls the radius of another circle stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
@@ -188,19 +192,24 @@ private:
                  "radius.")}};
     }
 
+    /// That it is turned before it has flown a step.
+    [[nodiscard]] static std::pair<QString, QString> atOnce(const WallHit &hit)
+    {
+        return {WallText::tr("Something away from every wall changes the velocity of %who"),
+                WallText::tr("Thrown towards the %1, circle %6 changed its velocity from %2 to "
+                             "%3 m/s in the first step, with its centre still %4 m from that "
+                             "wall; its radius is %5 m. Look at the conditions: which of them "
+                             "is true away from every wall?")
+                    .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
+                         brief(hit.before), brief(hit.radius), QString::number(hit.circle + 1))};
+    }
+
     [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
     {
         if (const auto ahead = hit.step == 1 ? aheadWords(circle) : std::nullopt)
             return *ahead;
         if (hit.step == 1)
-            return {WallText::tr("Something away from every wall changes the velocity of %who"),
-                    WallText::tr("Thrown towards the %1, circle %6 changed its velocity from %2 to "
-                                 "%3 m/s in the first step, with its centre still %4 m from that "
-                                 "wall; its radius is %5 m. Look at the conditions: which of them "
-                                 "is true away from every wall?")
-                        .arg(motion::wallName(hit.wall), brief(hit.came), brief(hit.left),
-                             brief(hit.before), brief(hit.radius),
-                             QString::number(hit.circle + 1))};
+            return atOnce(hit);
         // What a step cannot tell apart is not told.
         const std::set<Wall> walls = wrongWalls(circle);
         std::vector<Reach> fitting = reaches();
@@ -212,7 +221,33 @@ private:
             body.replace(QLatin1String("%3"), QString::number(hit.circle + 1));
             return {fitting.front().headline, body};
         }
+        for (const Wall wall : walls) {
+            if (!m_own.hasOnePlace(circle, wall))
+                return atTimes(circle, wall);
+        }
         return {lateOrEarly(circle), between(hit)};
+    }
+
+    /// That no place would do for all hits at a wall.
+    [[nodiscard]] std::pair<QString, QString> atTimes(int circle, Wall wall) const
+    {
+        const WallHit *off = nullptr;
+        int all = 0;
+        int right = 0;
+        for (const WallHit &hit : m_own.hits) {
+            if (hit.circle != circle || hit.wall != wall || !hit.isAnswered())
+                continue;
+            ++all;
+            right += hit.fits(hit.radius);
+            if (!off && isElsewhere(hit))
+                off = &hit;
+        }
+        const bool isEarly = off->reached > off->radius;
+        return {
+            isEarly ? WallText::tr("Some hits at the %walls turn %who round too early")
+                    : WallText::tr("Some hits at the %walls turn %who round too late"),
+            between(*off) + QLatin1Char(' ')
+                + WallText::tr("Of %1 hits tried there, %2 came at the rim.").arg(all).arg(right)};
     }
 
     /// That a circle turns where its velocity, without the timestep, takes its rim to the wall.
@@ -273,15 +308,15 @@ private:
     {
         const QString text =
             hit.reached >= 0.0
-                ? WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turns when its "
-                               "centre is between %4 and %5 m from the wall. It should turn when "
+                ? WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turned when its "
+                               "centre was between %4 and %5 m from the wall. It should turn when "
                                "its rim is there.")
             : hit.before >= 0.0
-                ? WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turns when its "
-                               "centre is between %4 m past the wall and %5 m short of it. It "
+                ? WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turned when its "
+                               "centre was between %4 m past the wall and %5 m short of it. It "
                                "should turn when its rim is there.")
-                : WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turns when its "
-                               "centre is between %4 and %5 m past the wall. It should turn when "
+                : WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turned when its "
+                               "centre was between %4 and %5 m past the wall. It should turn when "
                                "its rim is there.");
         return text.arg(hit.circle + 1)
             .arg(brief(hit.radius), motion::wallName(hit.wall), brief(std::abs(hit.reached)),

@@ -22,9 +22,13 @@ public:
 
     [[nodiscard]] std::optional<LawDeviation> early() const
     {
-        const auto early = slowHits([](const WallHit &hit, const WallHit &right) {
+        auto early = slowHits([](const WallHit &hit, const WallHit &right) {
             return hit.turned && hit.reached > hit.radius + 1e-9 && right.fits(right.radius);
         });
+        if (!early.empty()) {
+            const Wall wall = m_own.slow[early.front()].wall;
+            std::erase_if(early, [&](std::size_t i) { return m_own.slow[i].wall != wall; });
+        }
         return early.empty() ? std::nullopt
                              : std::optional(slowReachDeviation(*this, m_own.slow[early.front()],
                                                                 circlesOf(early)));
@@ -53,8 +57,7 @@ private:
         });
     }
 
-    /// The slow hits of which \p isOff is true, where the fast and the reference's are turned: all
-    /// those at the wall of the first.
+    /// The slow hits of which \p isOff is true, where the fast and the reference's are turned.
     template <class IsOff>
     [[nodiscard]] std::vector<std::size_t> slowHits(IsOff isOff) const
     {
@@ -62,7 +65,6 @@ private:
         for (std::size_t i = 0; i < m_own.slow.size(); ++i) {
             const WallHit &hit = m_own.slow[i];
             if (!hit.missed && !hit.held && m_right.slow[i].turned && turnsFast(hit)
-                && (found.empty() || m_own.slow[found.front()].wall == hit.wall)
                 && isOff(hit, m_right.slow[i]))
                 found.push_back(i);
         }
@@ -71,10 +73,18 @@ private:
 
     [[nodiscard]] std::vector<int> circlesOf(const std::vector<std::size_t> &slow) const
     {
-        std::vector<int> circles;
+        std::set<int> circles;
         for (const std::size_t i : slow)
-            circles.push_back(m_own.slow[i].circle);
-        return circles;
+            circles.insert(m_own.slow[i].circle);
+        return {circles.begin(), circles.end()};
+    }
+
+    [[nodiscard]] std::set<Wall> wallsOf(const std::vector<std::size_t> &slow) const
+    {
+        std::set<Wall> walls;
+        for (const std::size_t i : slow)
+            walls.insert(m_own.slow[i].wall);
+        return walls;
     }
 
     static QString speedInto(const WallHit &h)
@@ -95,7 +105,7 @@ private:
                          "it moves.")
                 .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall), speedInto(hit),
                      speedInto(m_own.hits.front())),
-            hit, {circlesOf(open), {hit.wall}}, Suspect::Question);
+            hit, {circlesOf(open), wallsOf(open)}, Suspect::Question);
     }
 
     [[nodiscard]] LawDeviation oddAt(const std::vector<std::size_t> &odd) const
@@ -109,7 +119,7 @@ private:
                       .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall),
                            brief(dot(outwardNormal(hit.wall), hit.came)), brief(hit.back),
                            brief(m_right.slow[odd.front()].back)),
-            hit, {circlesOf(odd), {hit.wall}}, Suspect::Formula);
+            hit, {circlesOf(odd), wallsOf(odd)}, Suspect::Formula);
     }
 };
 

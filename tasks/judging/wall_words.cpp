@@ -22,11 +22,14 @@ public:
         findKicked();
         take(missingDeviations(*this));
         findReach();
-        findLeap();
-        findPutOut();
-        if (!m_isElsewhere)
-            findLifted();
-        take(answerDeviation(*this));
+        findRestarted();
+        if (!m_isRestarted) {
+            findLeap();
+            findPutOut();
+            if (!m_isElsewhere)
+                findLifted();
+        }
+        take(answerDeviations(*this));
         findDisturbed();
         findCorners();
         findNoWayBack();
@@ -76,6 +79,29 @@ private:
         return *std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
             return hit.circle == whose.circles.front() && whose.walls.contains(hit.wall) && is(hit);
         });
+    }
+
+    /// That hits put circles back to where they started from, which they left long before.
+    void findRestarted()
+    {
+        const auto isAtStart = [](const WallHit &hit) {
+            const Vec2 start =
+                hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.position;
+            return hit.turned && hit.step > 2
+                   && std::abs(dot(outwardNormal(hit.wall), hit.landed - start)) < 1e-9;
+        };
+        const Whose whose = misplaced(isAtStart);
+        if (whose.circles.empty())
+            return;
+        m_isRestarted = true;
+        const WallHit &hit = firstOf(whose, isAtStart);
+        add(WallText::tr("Hits at the %walls put %who back to the start of the run"),
+            WallText::tr("At the %1 the centre of circle %3 was put %2 m from the wall, as far as "
+                         "it was when the run began. The old place is that before the step: keep "
+                         "it anew in every step.")
+                .arg(motion::wallName(hit.wall), brief(hit.after))
+                .arg(hit.circle + 1),
+            hit, whose, Suspect::Kept, true);
     }
 
     void findLeap()
@@ -286,6 +312,7 @@ private:
     static constexpr double nearOther = 0.05;
 
     std::vector<LawDeviation> m_found;
+    bool m_isRestarted = false; ///< they put circles to the start of the run
     bool m_isElsewhere = false; ///< walls turn circles at another place than the rim
 };
 
