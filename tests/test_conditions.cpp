@@ -19,6 +19,7 @@ private slots:
     void whatIsAlwaysSoHasNoCondition();
     void conditionIsNamed_data();
     void conditionIsNamed();
+    void clockAnswersNothing();
     void wordsTellWhatWasSeen();
 };
 
@@ -230,6 +231,34 @@ void TestConditions::conditionIsNamed_data()
          " s of a run, none from ", {.hit = "closing > 0 and time < 3"});
     rows("e from a step on", {"L42T16", "L42T17"}, "Some hits of the two circles come out wrong",
          " s of a run on, none up to ", {.e = "(step < 70 and 1 or restitution)"});
+    rows("hits of slow ones", {"L42T12"}, "Some hits of the two circles come out wrong",
+         ": all with circle 1 at up to ", {.e = "(p.velocity:length() > 2.2 and 0.5 or 1)"});
+    rows("hits of the smaller", {"L42T14"}, "Some hits of the two circles come out wrong",
+         ": all but those where circle 1 is the larger one.",
+         {.e = "(p.radius > q.radius and 0.5 or 1)"});
+    rows("hits upward", {"L42T12"}, "Some hits of the two circles come out wrong",
+         ": all but those where circle 1 moves downward.",
+         {.e = "(p.velocity.y < 0 and 0.5 or 1)"});
+    rows("e that counts of fast ones", {"L42T16"}, "Some hits of the two circles come out wrong",
+         " came out right.", {.e = "(p.velocity:length() > 2.2 and 1 or restitution)"});
+    rows("what was kept from the first", {"L42T12"}, "Some hits of the two circles come out wrong",
+         ": the first in a run, none of the later ones.",
+         {.start = "kept = false",
+          .hit = "closing > 0",
+          .met = "kept = kept or q.velocity q.velocity = kept"});
+}
+
+/// Who stops all circles from a time on answers no hit.
+void TestConditions::clockAnswersNothing()
+{
+    const LawBench bench(task(text("L42T12")));
+    const QString source = program(text("L42T12"),
+                                   {.move = "time > 1.7 then c.velocity = vec(0, 0) end if true",
+                                    .hit = "closing < 0 and false"},
+                                   0);
+    const MeasuredLaws own(&source, bench.ground);
+    const auto contact = conditioned(Aspect::Contact, {}, own, bench.right, bench.ground, {});
+    QVERIFY(contact.deviations.empty());
 }
 
 void TestConditions::conditionIsNamed()

@@ -102,7 +102,7 @@ const Answer answers[] = {
     {"Both pushes have the wrong sign", {2.5, 0.4, -1.6, 0.1}},
     // Of 0.4 m between the centres in the middle of the step.
     {"The normal does not have length 1", {1.2 - 0.16 * 1.3, 0.4, -0.3 + 0.16 * 1.3, 0.1}},
-    {"The normal has length 1 in one place and not in the other",
+    {"The distance of the centres comes into the push",
      {1.2 - 0.4 * 1.3, 0.4, -0.3 + 0.4 * 1.3, 0.1}}};
 
 /// Along which line the parts change hands instead.

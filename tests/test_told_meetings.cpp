@@ -25,6 +25,9 @@ private slots:
     void slowReboundIsTold();
     void oldMassesOfTheOwnSceneAreTold();
     void oldRestitutionOfTheOwnSceneIsTold();
+    void oldRadiusOfTheOwnSceneIsTold();
+    void placeIsNoPause();
+    void fastMeetingIsTold();
 
 private:
     /// What is said in \p step of a program with that hit, below \p headline.
@@ -172,19 +175,18 @@ void TestToldMeetings::slowReboundIsTold()
     const QString said =
         body("L42T16", {.e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")},
              text("Circles that meet slowly are answered in another way"));
-    const auto n = numbersIn(said, "With e = #: Velocities");
+    const auto n = numbersIn(said, "With e = #: Along");
     QCOMPARE(n, std::vector<double>{0.5});
     const auto fast = numbersIn(said, "Where they meet with # m/s, it comes out right.");
     QVERIFY2(fast.size() == 1 && fast[0] > 1.0, qPrintable(said));
-    const auto parts = numbersIn(
-        said, "circle 1 came with # along, # across, circle 2 with # along, # across; they left "
-              "with # along, # across and with # along, # across; right is # along, # across and "
-              "# along, # across.");
-    QVERIFY2(parts.size() == 12, qPrintable(said));
-    const double closing = parts[0] - parts[2];
+    const auto parts =
+        numbersIn(said, "circle 1 came with # m/s and circle 2 with # m/s; they left "
+                        "with # and #; # and # are right.");
+    QVERIFY2(parts.size() == 6, qPrintable(said));
+    const double closing = parts[0] - parts[1];
     QVERIFY(closing > 0.0 && closing < 0.1);
-    QVERIFY(std::abs(parts[6] - parts[4] - closing) < 1e-3);        // e = 1
-    QVERIFY(std::abs(parts[10] - parts[8] - 0.5 * closing) < 1e-3); // e = 0.5
+    QVERIFY(std::abs(parts[3] - parts[2] - closing) < 1e-3);       // e = 1
+    QVERIFY(std::abs(parts[5] - parts[4] - 0.5 * closing) < 1e-3); // e = 0.5
 }
 
 /// Worked out before the radius was set: then both had the same.
@@ -228,6 +230,49 @@ void TestToldMeetings::oldRestitutionOfTheOwnSceneIsTold()
     QVERIFY(isNear(n[1], n[0]));
     QVERIFY(isNear(n[2], 1.0));
     QCOMPARE(n[3], 0.5);
+}
+
+/// Circle 2 has another radius before `on_load` sets it.
+void TestToldMeetings::oldRadiusOfTheOwnSceneIsTold()
+{
+    const QString said = body(
+        "L42T13", {.touch = text("d:length() < p.radius + (kept or q.radius)"), .mass = equal},
+        text("In your own scene the circles answer too late"),
+        text("kept = circle2.radius == 0.2 and 0.2 "
+             "circle1.position, circle1.velocity = vec(-3, 2), vec(2, 0) "
+             "circle2.position, circle2.velocity = vec(0, 2), vec(0, 0) circle2.radius = 0.4"));
+    const auto n =
+        numbersIn(said, "With r₁ = # m and r₂ = # m they answered when their centres were "
+                        "between # and # m apart; rims touch where that is # m.");
+    QVERIFY2(n.size() == 5, qPrintable(said));
+    QVERIFY(isNear(n[4], 0.6));
+    QVERIFY(n[2] <= 0.4 && n[3] < 0.5);
+}
+
+/// Near a wall nothing is answered, the first hit as little as a second one.
+void TestToldMeetings::placeIsNoPause()
+{
+    const QString said =
+        body("L42T12",
+             {.approach = text("closing > 0 and math.max(p.position.x, q.position.x) < 3.3"),
+              .mass = equal},
+             text("Not every meeting is answered"));
+    const auto n = numbersIn(said, "Near (#, #) m circle 1 came with");
+    QVERIFY2(n.size() == 2, qPrintable(said));
+    QVERIFY(n[0] > 3.0);
+}
+
+/// More than two centimetres deep they are not answered.
+void TestToldMeetings::fastMeetingIsTold()
+{
+    const QString said =
+        body("L42T12",
+             {.touch = text("d:length() < reach and reach - d:length() < 0.025"), .mass = equal},
+             text("Circles that come nearer fast are not answered"));
+    const auto n = numbersIn(
+        said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
+    QVERIFY2(n.size() == 2, qPrintable(said));
+    QVERIFY(n[0] > 3.0 && n[1] < 1.5);
 }
 
 QTEST_GUILESS_MAIN(TestToldMeetings)

@@ -1777,8 +1777,12 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
 <context>
     <name>DivisionText</name>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 أو %2</translation>
+        <source>all but those where %1</source>
+        <translation>كلها عدا تلك التي فيها %1</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>تلك التي فيها %1، دون غيرها</translation>
     </message>
 </context>
 <context>
@@ -2001,10 +2005,6 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
     <message>
         <source>The circles are put back and keep their velocities</source>
         <translation>تُعاد الدائرتان إلى الوراء وتحتفظان بسرعتيهما</translation>
-    </message>
-    <message>
-        <source>When they touch a place changes and no velocity, so that the next step brings them there again. A hit changes velocities: look at whether those lines run, and at what they ask.</source>
-        <translation>عند التلامس يتغير موضع ولا تتغير سرعة، فتعيدهما الخطوة التالية إلى هناك. التصادم يغيّر السرعات: انظر هل تُنفَّذ تلك الأسطر، وعمّ تسأل.</translation>
     </message>
     <message>
         <source>The circles run through each other</source>
@@ -2339,10 +2339,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>حين تختلف الكتلتان تغادر الدائرة ⁨%1⁩ وحدها كما يجب</translation>
     </message>
     <message>
-        <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
-        <translation>انظر بأي كتلة تُدفع الأخرى: كل تغير في سرعة هو الدفع مقسومًا على كتلة الدائرة نفسها.</translation>
-    </message>
-    <message>
         <source>The two masses are not worked out in the same way</source>
         <translation>لا تُحسب الكتلتان بالطريقة نفسها</translation>
     </message>
@@ -2671,20 +2667,12 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>طول الناظم ليس 1</translation>
     </message>
     <message>
-        <source>The normal has length 1 in one place and not in the other</source>
-        <translation>طول الناظم 1 في موضع وليس كذلك في الآخر</translation>
-    </message>
-    <message>
         <source>The perpendicular of the line of centres is taken for the normal</source>
         <translation>أُخذ الناظم على خط المركزين ناظمًا</translation>
     </message>
     <message>
         <source>The parts x and y of the normal are exchanged</source>
         <translation>تبادلت مركّبتا الناظم x وy مكانيهما</translation>
-    </message>
-    <message>
-        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
-        <translation>حيث تُستعمل زاوية: تأخذ ⁦`math.atan`⁩ القيمة y أولًا ثم x.</translation>
     </message>
     <message>
         <source>The normal is mirrored: the sign of its y is wrong</source>
@@ -3915,10 +3903,6 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
         <translation>%1، حيث كانت الدائرة ⁨%2⁩</translation>
     </message>
     <message>
-        <source>those where %1, no others</source>
-        <translation>تلك التي فيها %1، دون غيرها</translation>
-    </message>
-    <message>
         <source>Some hits of the two circles come out wrong</source>
         <translation>بعض تصادمات الدائرتين تأتي خطأً</translation>
     </message>
@@ -4251,6 +4235,140 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
     <message>
         <source>At the %1 the centre of circle %3 was put %2 m from the wall, as far as it was when the run began. The old place is that before the step: keep it anew in every step.</source>
         <translation>عند ⁨%1⁩ وُضع مركز الدائرة ⁨%3⁩ على بعد ⁦%2 m⁩ من الجدار، كما كان عند بدء التشغيل. الموضع القديم هو ما قبل الخطوة: احفظه من جديد في كل خطوة.</translation>
+    </message>
+    <message>
+        <source>Of the %1 meetings that were tried %2 were answered in time, and %3 not at all.</source>
+        <translation>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في ⁨%2⁩، ولم تأتِ أصلًا في ⁨%3⁩.</translation>
+    </message>
+    <message>
+        <source>Some meetings are answered before they touch, others too late</source>
+        <translation>تُقابَل بعض اللقاءات بالاستجابة قبل التلامس، وأخرى متأخرة</translation>
+    </message>
+    <message>
+        <source>A distance is the root of the sum of the squares of both differences.</source>
+        <translation>المسافة هي جذر مجموع مربعي الفرقين.</translation>
+    </message>
+    <message>
+        <source>The circles are compared in x alone</source>
+        <translation>تُقارَن الدائرتان في x وحدها</translation>
+    </message>
+    <message>
+        <source>The circles are compared in y alone</source>
+        <translation>تُقارَن الدائرتان في y وحدها</translation>
+    </message>
+    <message>
+        <source>|Δx + Δy| is not the distance</source>
+        <translation>⁦|Δx + Δy|⁩ ليس المسافة</translation>
+    </message>
+    <message>
+        <source>When they touch a place changes, and after the step both velocities are as before. A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
+        <translation>عند تلامسهما يتغيّر موضع، وبعد الخطوة تكون السرعتان كما كانتا. التصادم يغيّر السرعات: انظر هل تُنفَّذ تلك الأسطر، وعمّ تسأل، وهل تعيد أسطر أخرى السرعات كما كانت.</translation>
+    </message>
+    <message>
+        <source>In your own scene the circles answer before they touch</source>
+        <translation>في مشهدك تستجيب الدائرتان قبل أن تتلامسا</translation>
+    </message>
+    <message>
+        <source>In your own scene the circles answer too late</source>
+        <translation>في مشهدك تستجيب الدائرتان متأخرتين</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كان بُعد المركزين بين ⁦%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان حين يكون ⁦%5 m⁩. المشاهد الأخرى تخرج صحيحة. انظر متى يقرأ برنامجك نصفي القطرين: ما يُقرأ قبل أن يضبطهما ⁦`on_load`⁩ قيمة قديمة.</translation>
+    </message>
+    <message>
+        <source>The push is as many times too large as the centres are apart, in m. A direction has length 1: where it is one of two factors, divide by its length twice, or once before.</source>
+        <translation>الدفع مضروب في بُعد المركزين (بوحدة m). طول الاتجاه 1: حيث يدخل في عاملين اقسم على طوله مرتين، أو مرة واحدة قبل ذلك.</translation>
+    </message>
+    <message>
+        <source>The distance of the centres comes into the push</source>
+        <translation>يدخل بُعد المركزين في الدفع</translation>
+    </message>
+    <message>
+        <source>Where an angle is used: x is its cosine and y its sine, and `math.atan` takes y first, then x.</source>
+        <translation>حيث تُستعمل زاوية: x جيب تمامها وy جيبها، و⁦`math.atan`⁩ تأخذ y أولًا ثم x.</translation>
+    </message>
+    <message>
+        <source>e is less than 1</source>
+        <translation>يكون e أصغر من 1</translation>
+    </message>
+    <message>
+        <source>e is 1</source>
+        <translation>يكون e مساويًا 1</translation>
+    </message>
+    <message>
+        <source>all with circle %1 at up to %2 m/s, none with it at %3 m/s or more</source>
+        <translation>كل ما كانت فيه سرعة الدائرة ⁨%1⁩ حتى ⁦%2 m/s⁩، ولا واحد بلغت فيه ⁦%3 m/s⁩ أو أكثر</translation>
+    </message>
+    <message>
+        <source>all with circle %1 at %2 m/s or more, none with it at up to %3 m/s</source>
+        <translation>كل ما كانت فيه سرعة الدائرة ⁨%1⁩ ⁦%2 m/s⁩ أو أكثر، ولا واحد كانت فيه حتى ⁦%3 m/s⁩</translation>
+    </message>
+    <message>
+        <source>all up to %1 m from (0, 0), none from %2 m on</source>
+        <translation>كلها حتى ⁦%1 m⁩ من ⁦(0, 0)⁩، ولا شيء ابتداءً من ⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>all from %1 m from (0, 0) on, none up to %2 m</source>
+        <translation>كلها ابتداءً من ⁦%1 m⁩ عن ⁦(0, 0)⁩، ولا شيء حتى ⁦%2 m⁩</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer fast are not answered</source>
+        <translation>الدائرتان اللتان تقتربان بسرعة لا تلقيان استجابة</translation>
+    </message>
+    <message>
+        <source>Not every meeting is answered</source>
+        <translation>لا يلقى كل لقاء استجابة</translation>
+    </message>
+    <message>
+        <source>Near %1 m circle 1 came with %2 m/s and circle 2 with %3 m/s, and they ran into each other; elsewhere others are answered. What counts is whether they overlap and come nearer.</source>
+        <translation>قرب ⁦%1 m⁩ جاءت الدائرة 1 بسرعة ⁦%2 m/s⁩ والدائرة 2 بسرعة ⁦%3 m/s⁩ وتداخلتا؛ وفي مواضع أخرى تلقى لقاءات أخرى استجابة. المهم هل تتداخلان وتتقاربان.</translation>
+    </message>
+    <message>
+        <source>Look at which masses and which signs stand in what is worked out for the other one.</source>
+        <translation>انظر أي كتل وأي إشارات تدخل في ما يُحسب للأخرى.</translation>
+    </message>
+    <message>
+        <source>In some hits: %1</source>
+        <translation>في بعض التصادمات: %1</translation>
+    </message>
+    <message>
+        <source>No hit that was tried comes out right</source>
+        <translation>لا تصحّ نتيجة أي من التصادمات المجرّبة</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right: %2.</source>
+        <translation>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، لم يصحّ أي تصادم: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ تصادم واحد: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ تصادمان: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right.</source>
+        <translation>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، لم يصحّ أي تصادم.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ تصادم واحد.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ تصادمان.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
+            <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In your own scene the first hit comes out right.</source>
+        <translation>في مشهدك تصحّ نتيجة التصادم الأول.</translation>
+    </message>
+    <message>
+        <source>In all hits that were tried circle 2 was at rest.</source>
+        <translation>في كل التصادمات المجرّبة كانت الدائرة 2 ساكنة.</translation>
+    </message>
+    <message>
+        <source>With e = %1 it comes out right.</source>
+        <translation>مع ⁦e = %1⁩ تصحّ النتيجة.</translation>
     </message>
 </context>
 <context>

@@ -1753,8 +1753,12 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
 <context>
     <name>DivisionText</name>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 oder %2</translation>
+        <source>all but those where %1</source>
+        <translation>alle außer denen, bei denen %1</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>die, bei denen %1, keine anderen</translation>
     </message>
 </context>
 <context>
@@ -2531,20 +2535,12 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Normale hat nicht die Länge 1</translation>
     </message>
     <message>
-        <source>The normal has length 1 in one place and not in the other</source>
-        <translation>Die Normale hat an einer Stelle die Länge 1 und an der anderen nicht</translation>
-    </message>
-    <message>
         <source>The perpendicular of the line of centres is taken for the normal</source>
         <translation>Die Senkrechte zur Verbindungslinie der Mittelpunkte wird für die Normale gehalten</translation>
     </message>
     <message>
         <source>The parts x and y of the normal are exchanged</source>
         <translation>Die Anteile x und y der Normalen sind vertauscht</translation>
-    </message>
-    <message>
-        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
-        <translation>Falls ein Winkel vorkommt: `math.atan` nimmt erst y, dann x.</translation>
     </message>
     <message>
         <source>The normal is mirrored: the sign of its y is wrong</source>
@@ -2647,10 +2643,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Kreise werden zurückgesetzt und behalten ihre Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>When they touch a place changes and no velocity, so that the next step brings them there again. A hit changes velocities: look at whether those lines run, and at what they ask.</source>
-        <translation>Wenn sie sich berühren, ändert sich ein Ort und keine Geschwindigkeit; der nächste Schritt bringt sie wieder dorthin. Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen und wonach sie fragen.</translation>
-    </message>
-    <message>
         <source>Gravity does not act alike on light and heavy ones (%who)</source>
         <translation>Die Schwerkraft wirkt auf Leichte und Schwere nicht gleich (%who)</translation>
     </message>
@@ -2693,10 +2685,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>Where the masses differ, only circle %1 leaves as it should</source>
         <translation>Wo die Massen verschieden sind, verlässt nur Kreis %1 den Stoß, wie er soll</translation>
-    </message>
-    <message>
-        <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
-        <translation>Sieh nach, mit welcher Masse der andere gestoßen wird: Jede Änderung einer Geschwindigkeit ist der Kraftstoß, geteilt durch die eigene Masse des Kreises.</translation>
     </message>
     <message>
         <source>The two masses are not worked out in the same way</source>
@@ -3879,10 +3867,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>%1, wo Kreis %2 war</translation>
     </message>
     <message>
-        <source>those where %1, no others</source>
-        <translation>die, bei denen %1, keine anderen</translation>
-    </message>
-    <message>
         <source>Some hits of the two circles come out wrong</source>
         <translation>Manche Stöße der beiden Kreise gehen falsch aus</translation>
     </message>
@@ -4207,6 +4191,132 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>At the %1 the centre of circle %3 was put %2 m from the wall, as far as it was when the run began. The old place is that before the step: keep it anew in every step.</source>
         <translation>An %1 wurde der Mittelpunkt von Kreis %3 auf %2 m von der Wand gesetzt, so weit, wie er bei Beginn des Laufs war. Der alte Ort ist der vor dem Schritt: Merke ihn dir in jedem Schritt neu.</translation>
+    </message>
+    <message>
+        <source>Of the %1 meetings that were tried %2 were answered in time, and %3 not at all.</source>
+        <translation>Von den %1 versuchten Begegnungen wurden %2 rechtzeitig beantwortet und %3 gar nicht.</translation>
+    </message>
+    <message>
+        <source>Some meetings are answered before they touch, others too late</source>
+        <translation>Manche Begegnungen werden vor der Berührung beantwortet, andere zu spät</translation>
+    </message>
+    <message>
+        <source>A distance is the root of the sum of the squares of both differences.</source>
+        <translation>Ein Abstand ist die Wurzel aus der Summe der Quadrate beider Differenzen.</translation>
+    </message>
+    <message>
+        <source>The circles are compared in x alone</source>
+        <translation>Die Kreise werden nur in x verglichen</translation>
+    </message>
+    <message>
+        <source>The circles are compared in y alone</source>
+        <translation>Die Kreise werden nur in y verglichen</translation>
+    </message>
+    <message>
+        <source>|Δx + Δy| is not the distance</source>
+        <translation>|Δx + Δy| ist nicht der Abstand</translation>
+    </message>
+    <message>
+        <source>When they touch a place changes, and after the step both velocities are as before. A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
+        <translation>Wenn sie sich berühren, ändert sich ein Ort, und nach dem Schritt sind beide Geschwindigkeiten wie zuvor. Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen, was sie fragen und ob andere die Geschwindigkeiten wieder zurückändern.</translation>
+    </message>
+    <message>
+        <source>In your own scene the circles answer before they touch</source>
+        <translation>In deiner eigenen Szene antworten die Kreise, bevor sie sich berühren</translation>
+    </message>
+    <message>
+        <source>In your own scene the circles answer too late</source>
+        <translation>In deiner eigenen Szene antworten die Kreise zu spät</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m voneinander entfernt waren; Ränder berühren sich bei %5 m. Andere Szenen gehen richtig aus. Sieh nach, wann dein Programm die Radien liest: Was gelesen wird, bevor `on_load` sie setzt, ist ein alter Wert.</translation>
+    </message>
+    <message>
+        <source>The push is as many times too large as the centres are apart, in m. A direction has length 1: where it is one of two factors, divide by its length twice, or once before.</source>
+        <translation>Der Kraftstoß ist mit dem Abstand der Mittelpunkte (in m) malgenommen. Eine Richtung hat die Länge 1: Wo sie in zwei Faktoren steckt, teile zweimal durch ihre Länge oder einmal vorher.</translation>
+    </message>
+    <message>
+        <source>The distance of the centres comes into the push</source>
+        <translation>Der Abstand der Mittelpunkte geht in den Kraftstoß ein</translation>
+    </message>
+    <message>
+        <source>Where an angle is used: x is its cosine and y its sine, and `math.atan` takes y first, then x.</source>
+        <translation>Wo ein Winkel benutzt wird: x ist sein Kosinus und y sein Sinus, und `math.atan` nimmt erst y, dann x.</translation>
+    </message>
+    <message>
+        <source>e is less than 1</source>
+        <translation>e kleiner als 1 ist</translation>
+    </message>
+    <message>
+        <source>e is 1</source>
+        <translation>e gleich 1 ist</translation>
+    </message>
+    <message>
+        <source>all with circle %1 at up to %2 m/s, none with it at %3 m/s or more</source>
+        <translation>alle, bei denen Kreis %1 bis zu %2 m/s hatte, keiner, bei dem es %3 m/s oder mehr waren</translation>
+    </message>
+    <message>
+        <source>all with circle %1 at %2 m/s or more, none with it at up to %3 m/s</source>
+        <translation>alle, bei denen Kreis %1 mindestens %2 m/s hatte, keiner, bei dem es höchstens %3 m/s waren</translation>
+    </message>
+    <message>
+        <source>all up to %1 m from (0, 0), none from %2 m on</source>
+        <translation>alle bis %1 m von (0, 0), keiner ab %2 m</translation>
+    </message>
+    <message>
+        <source>all from %1 m from (0, 0) on, none up to %2 m</source>
+        <translation>alle ab %1 m von (0, 0), keiner bis %2 m</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer fast are not answered</source>
+        <translation>Kreise, die sich schnell nähern, werden nicht beantwortet</translation>
+    </message>
+    <message>
+        <source>Not every meeting is answered</source>
+        <translation>Nicht jede Begegnung wird beantwortet</translation>
+    </message>
+    <message>
+        <source>Near %1 m circle 1 came with %2 m/s and circle 2 with %3 m/s, and they ran into each other; elsewhere others are answered. What counts is whether they overlap and come nearer.</source>
+        <translation>Bei %1 m kamen Kreis 1 mit %2 m/s und Kreis 2 mit %3 m/s und liefen ineinander; anderswo werden andere beantwortet. Es zählt, ob sie überlappen und sich nähern.</translation>
+    </message>
+    <message>
+        <source>Look at which masses and which signs stand in what is worked out for the other one.</source>
+        <translation>Sieh nach, welche Massen und welche Vorzeichen in dem stehen, was für den anderen berechnet wird.</translation>
+    </message>
+    <message>
+        <source>In some hits: %1</source>
+        <translation>In manchen Stößen: %1</translation>
+    </message>
+    <message>
+        <source>No hit that was tried comes out right</source>
+        <translation>Kein Stoß, der versucht wurde, geht richtig aus</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Stößen ging %n richtig aus: %2.</numerusform>
+            <numerusform>Von %1 versuchten Stößen gingen %n richtig aus: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Stößen ging %n richtig aus.</numerusform>
+            <numerusform>Von %1 versuchten Stößen gingen %n richtig aus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In your own scene the first hit comes out right.</source>
+        <translation>In deiner eigenen Szene geht der erste Stoß richtig aus.</translation>
+    </message>
+    <message>
+        <source>In all hits that were tried circle 2 was at rest.</source>
+        <translation>In allen Stößen, die versucht wurden, ruhte Kreis 2.</translation>
+    </message>
+    <message>
+        <source>With e = %1 it comes out right.</source>
+        <translation>Mit e = %1 geht es richtig aus.</translation>
     </message>
 </context>
 <context>

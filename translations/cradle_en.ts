@@ -86,6 +86,20 @@
             <numerusform>Of %1 tries, early and late, here and there, %n came out right: %2.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right: %2.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Grading</name>

@@ -1753,8 +1753,12 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
 <context>
     <name>DivisionText</name>
     <message>
-        <source>%1 or %2</source>
-        <translation>%1 ou %2</translation>
+        <source>all but those where %1</source>
+        <translation>tous sauf ceux où %1</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>ceux où %1, pas d&apos;autres</translation>
     </message>
 </context>
 <context>
@@ -1977,10 +1981,6 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
     <message>
         <source>The circles are put back and keep their velocities</source>
         <translation>Les cercles sont remis en arrière et gardent leurs vitesses</translation>
-    </message>
-    <message>
-        <source>When they touch a place changes and no velocity, so that the next step brings them there again. A hit changes velocities: look at whether those lines run, and at what they ask.</source>
-        <translation>Quand ils se touchent, une position change et aucune vitesse, si bien que le pas suivant les y ramène. Un choc change les vitesses&#xa0;: regardez si ces lignes s&apos;exécutent, et ce qu&apos;elles demandent.</translation>
     </message>
     <message>
         <source>The circles run through each other</source>
@@ -2315,10 +2315,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Quand les masses diffèrent, seul le cercle %1 repart comme il faut</translation>
     </message>
     <message>
-        <source>Look at which mass the other one is pushed with: each change of a velocity is the push divided by the circle&apos;s own mass.</source>
-        <translation>Regardez par quelle masse la poussée sur l&apos;autre est divisée&#xa0;: chaque changement de vitesse est la poussée divisée par la masse du cercle lui-même.</translation>
-    </message>
-    <message>
         <source>The two masses are not worked out in the same way</source>
         <translation>Les deux masses ne sont pas calculées de la même façon</translation>
     </message>
@@ -2647,20 +2643,12 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La normale n&apos;a pas la longueur 1</translation>
     </message>
     <message>
-        <source>The normal has length 1 in one place and not in the other</source>
-        <translation>La normale a la longueur 1 à un endroit et pas à l&apos;autre</translation>
-    </message>
-    <message>
         <source>The perpendicular of the line of centres is taken for the normal</source>
         <translation>La perpendiculaire à la ligne des centres est prise pour la normale</translation>
     </message>
     <message>
         <source>The parts x and y of the normal are exchanged</source>
         <translation>Les composantes x et y de la normale sont échangées</translation>
-    </message>
-    <message>
-        <source>Where an angle is used: `math.atan` takes y first, then x.</source>
-        <translation>Si vous utilisez un angle&#xa0;: `math.atan` prend d&apos;abord y, puis x.</translation>
     </message>
     <message>
         <source>The normal is mirrored: the sign of its y is wrong</source>
@@ -3879,10 +3867,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
         <translation>%1, là où était le cercle %2</translation>
     </message>
     <message>
-        <source>those where %1, no others</source>
-        <translation>ceux où %1, pas d&apos;autres</translation>
-    </message>
-    <message>
         <source>Some hits of the two circles come out wrong</source>
         <translation>Certains chocs des deux cercles se passent mal</translation>
     </message>
@@ -4207,6 +4191,132 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
     <message>
         <source>At the %1 the centre of circle %3 was put %2 m from the wall, as far as it was when the run began. The old place is that before the step: keep it anew in every step.</source>
         <translation>Contre %1, le centre du cercle %3 a été placé à %2 m de la paroi, aussi loin qu&apos;au début de l&apos;exécution. L&apos;ancienne position est celle d&apos;avant le pas&#xa0;: conservez-la de nouveau à chaque pas.</translation>
+    </message>
+    <message>
+        <source>Of the %1 meetings that were tried %2 were answered in time, and %3 not at all.</source>
+        <translation>Sur les %1 rencontres essayées, %2 ont reçu une réponse à temps et %3 n&apos;en ont reçu aucune.</translation>
+    </message>
+    <message>
+        <source>Some meetings are answered before they touch, others too late</source>
+        <translation>Certaines rencontres reçoivent une réponse avant le contact, d&apos;autres trop tard</translation>
+    </message>
+    <message>
+        <source>A distance is the root of the sum of the squares of both differences.</source>
+        <translation>Une distance est la racine de la somme des carrés des deux différences.</translation>
+    </message>
+    <message>
+        <source>The circles are compared in x alone</source>
+        <translation>Les cercles sont comparés en x seulement</translation>
+    </message>
+    <message>
+        <source>The circles are compared in y alone</source>
+        <translation>Les cercles sont comparés en y seulement</translation>
+    </message>
+    <message>
+        <source>|Δx + Δy| is not the distance</source>
+        <translation>|Δx + Δy| n&apos;est pas la distance</translation>
+    </message>
+    <message>
+        <source>When they touch a place changes, and after the step both velocities are as before. A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
+        <translation>Quand ils se touchent, une position change, et après le pas les deux vitesses sont comme avant. Un choc change des vitesses&#xa0;: voyez si ces lignes s&apos;exécutent, ce qu&apos;elles demandent et si d&apos;autres rétablissent les vitesses.</translation>
+    </message>
+    <message>
+        <source>In your own scene the circles answer before they touch</source>
+        <translation>Dans votre propre scène, les cercles répondent avant de se toucher</translation>
+    </message>
+    <message>
+        <source>In your own scene the circles answer too late</source>
+        <translation>Dans votre propre scène, les cercles répondent trop tard</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont répondu quand leurs centres étaient distants de %3 à %4 m&#xa0;; les bords se touchent à %5 m. D&apos;autres scènes donnent le bon résultat. Voyez quand votre programme lit les rayons&#xa0;: ce qui est lu avant que `on_load` les fixe est une ancienne valeur.</translation>
+    </message>
+    <message>
+        <source>The push is as many times too large as the centres are apart, in m. A direction has length 1: where it is one of two factors, divide by its length twice, or once before.</source>
+        <translation>La poussée est multipliée par la distance des centres (en m). Une direction a la longueur 1&#xa0;: là où elle entre dans deux facteurs, divisez deux fois par sa longueur, ou une fois avant.</translation>
+    </message>
+    <message>
+        <source>The distance of the centres comes into the push</source>
+        <translation>La distance des centres entre dans la poussée</translation>
+    </message>
+    <message>
+        <source>Where an angle is used: x is its cosine and y its sine, and `math.atan` takes y first, then x.</source>
+        <translation>Là où un angle sert&#xa0;: x est son cosinus et y son sinus, et `math.atan` prend d&apos;abord y, puis x.</translation>
+    </message>
+    <message>
+        <source>e is less than 1</source>
+        <translation>e est inférieur à 1</translation>
+    </message>
+    <message>
+        <source>e is 1</source>
+        <translation>e vaut 1</translation>
+    </message>
+    <message>
+        <source>all with circle %1 at up to %2 m/s, none with it at %3 m/s or more</source>
+        <translation>tous ceux où le cercle %1 avait au plus %2 m/s, aucun où il en avait %3 m/s ou plus</translation>
+    </message>
+    <message>
+        <source>all with circle %1 at %2 m/s or more, none with it at up to %3 m/s</source>
+        <translation>tous ceux où le cercle %1 avait %2 m/s ou plus, aucun où il en avait au plus %3 m/s</translation>
+    </message>
+    <message>
+        <source>all up to %1 m from (0, 0), none from %2 m on</source>
+        <translation>tous jusqu&apos;à %1 m de (0, 0), aucun à partir de %2 m</translation>
+    </message>
+    <message>
+        <source>all from %1 m from (0, 0) on, none up to %2 m</source>
+        <translation>tous à partir de %1 m de (0, 0), aucun jusqu&apos;à %2 m</translation>
+    </message>
+    <message>
+        <source>Circles that come nearer fast are not answered</source>
+        <translation>Les cercles qui se rapprochent vite ne reçoivent pas de réponse</translation>
+    </message>
+    <message>
+        <source>Not every meeting is answered</source>
+        <translation>Toutes les rencontres ne reçoivent pas de réponse</translation>
+    </message>
+    <message>
+        <source>Near %1 m circle 1 came with %2 m/s and circle 2 with %3 m/s, and they ran into each other; elsewhere others are answered. What counts is whether they overlap and come nearer.</source>
+        <translation>Près de %1 m, le cercle 1 est arrivé avec %2 m/s et le cercle 2 avec %3 m/s, et ils sont entrés l&apos;un dans l&apos;autre&#xa0;; ailleurs, d&apos;autres rencontres reçoivent une réponse. Ce qui compte est s&apos;ils se chevauchent et se rapprochent.</translation>
+    </message>
+    <message>
+        <source>Look at which masses and which signs stand in what is worked out for the other one.</source>
+        <translation>Regardez quelles masses et quels signes figurent dans ce qui est calculé pour l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>In some hits: %1</source>
+        <translation>Dans certains chocs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>No hit that was tried comes out right</source>
+        <translation>Aucun des chocs essayés ne donne le bon résultat</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Sur %1 chocs essayés, %n a donné le bon résultat&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 chocs essayés, %n ont donné le bon résultat&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried, %n came out right.</source>
+        <translation>
+            <numerusform>Sur %1 chocs essayés, %n a donné le bon résultat.</numerusform>
+            <numerusform>Sur %1 chocs essayés, %n ont donné le bon résultat.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In your own scene the first hit comes out right.</source>
+        <translation>Dans votre propre scène, le premier choc donne le bon résultat.</translation>
+    </message>
+    <message>
+        <source>In all hits that were tried circle 2 was at rest.</source>
+        <translation>Dans tous les chocs essayés, le cercle 2 était au repos.</translation>
+    </message>
+    <message>
+        <source>With e = %1 it comes out right.</source>
+        <translation>Avec e = %1, le résultat est bon.</translation>
     </message>
 </context>
 <context>

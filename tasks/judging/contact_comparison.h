@@ -59,12 +59,19 @@ private:
     /// How many of them come out right, and which.
     [[nodiscard]] QString counted() const;
     [[nodiscard]] static const PairHit &plainest(const std::vector<const PairHit *> &hits);
-    [[nodiscard]] QString describe(const PairHit &hit) const;
 
+    /// Whether the push of \p hit would be none, as the program answers others: nothing is missed.
+    [[nodiscard]] bool isPushless(const PairHit &hit) const;
+
+    std::vector<PairHit> m_all{};
     std::optional<MeetingDivision> m_division{};
     std::vector<const PairHit *> m_answered{};
     std::vector<const PairHit *> m_missed{};
 };
+
+/// How they came, where, and what circles they are, as far as a step varies that.
+[[nodiscard]] QString describeMeeting(const PairHit &hit, const Ground &ground,
+                                      const std::optional<MeetingDivision> &division);
 
 /// That they answer at another distance than that of rims which touch.
 [[nodiscard]] std::vector<LawDeviation>
@@ -74,7 +81,7 @@ distanceDeviations(const MeasuredPair &own, const MeasuredPair &right, const Gro
 enum class Meetings {
     Parting, ///< of circles that have met already
     Later,   ///< after a first hit
-    Slow,
+    SlowOrFast,
 };
 /// That some of them are not answered, or those that part are.
 [[nodiscard]] std::vector<LawDeviation> meetingDeviations(Meetings which, const MeasuredPair &own,

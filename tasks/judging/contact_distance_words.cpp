@@ -135,13 +135,30 @@ private:
                                          "m.")
                              .arg(brief(hit.meeting.sum()));
         const auto inTime = std::count_if(m_own.contacts.begin(), m_own.contacts.end(), isInTime);
-        if (inTime > 0)
+        const auto missed = std::count_if(m_own.contacts.begin(), m_own.contacts.end(),
+                                          [](const PairHit &h) { return !h.answered; });
+        if (missed > 0)
+            body += QLatin1Char(' ')
+                    + ContactText::tr("Of the %1 meetings that were tried %2 were answered in "
+                                      "time, and %3 not at all.")
+                          .arg(m_own.contacts.size())
+                          .arg(inTime)
+                          .arg(missed);
+        else if (inTime > 0)
             body += QLatin1Char(' ')
                     + ContactText::tr("Of %1 meetings tried, %n were answered in time.", nullptr,
                                       static_cast<int>(inTime))
                           .arg(m_own.contacts.size());
-        add(inTime > 0 && early ? ContactText::tr("Some meetings are answered before they touch")
-            : inTime > 0        ? ContactText::tr("Some meetings are answered too late")
+        const bool isOfSome = inTime > 0 || missed > 0;
+        const auto isOfOtherKind = [&](const PairHit &h) {
+            return h.isMet() && !isInTime(h) && (h.reached > h.meeting.sum()) != early;
+        };
+        const bool areBoth =
+            std::any_of(m_own.contacts.begin(), m_own.contacts.end(), isOfOtherKind);
+        add(areBoth ? ContactText::tr("Some meetings are answered before they touch, others too "
+                                      "late")
+            : isOfSome && early ? ContactText::tr("Some meetings are answered before they touch")
+            : isOfSome          ? ContactText::tr("Some meetings are answered too late")
             : early             ? ContactText::tr("The circles answer before they touch")
                                 : ContactText::tr("The circles answer too late"),
             body, hit, Suspect::Reach);

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/contact_comparison.h"
+#include "tasks/judging/response_laws.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 
 namespace cradle {
@@ -12,12 +14,27 @@ using Kind = MeetingDivision::Kind;
 DividedMeetings::DividedMeetings(const MeasuredPair &own, const MeasuredPair &right,
                                  const Ground &ground)
     : ContactComparison(own, right, ground)
-    , m_division(divisionOf(own.varied, arePushedAlong(right)))
 {
-    for (const PairHit &hit : own.varied) {
+    std::copy_if(own.varied.begin(), own.varied.end(), std::back_inserter(m_all),
+                 [this](const PairHit &hit) { return !isPushless(hit); });
+    m_division = divisionOf(m_all, arePushedAlong(right));
+    for (const PairHit &hit : m_all) {
         if (!hit.stopped && !hit.isHeldAlone())
             (isRight(hit) ? m_answered : m_missed).push_back(&hit);
     }
+}
+
+bool DividedMeetings::isPushless(const PairHit &hit) const
+{
+    const std::vector<EqualHit> hits = comparableHits(m_own.equals, m_right.equals);
+    if (hit.answered || answersRightly())
+        return false;
+    const PairVelocities &in = hit.meeting.velocities;
+    const EqualHit here{hit, in, {in.along2, in.across1, in.along1, in.across2}};
+    const auto laws = knownResponses();
+    return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
+        return follows(law, hits) && isSameAnswer(law.answer(here), in);
+    });
 }
 
 bool DividedMeetings::isRight(const PairHit &hit) const
@@ -50,10 +67,11 @@ void DividedMeetings::tell()
     const PairHit &missed = plainest(m_missed);
     const bool isOfDirection = m_division && m_division->isOfDirection;
     const bool isSide = m_division && m_division->kind == Kind::Side;
-    QStringList body{ContactText::tr("This one came out wrong: %1.").arg(describe(missed))};
+    QStringList body{ContactText::tr("This one came out wrong: %1.")
+                         .arg(describeMeeting(missed, m_ground, m_division))};
     if (!m_division)
-        body.append(
-            ContactText::tr("This one came out right: %1.").arg(describe(plainest(m_answered))));
+        body.append(ContactText::tr("This one came out right: %1.")
+                        .arg(describeMeeting(plainest(m_answered), m_ground, m_division)));
     body.append(counted());
     body.append(isSide
                     ? ContactText::tr("Look at what changes from one side to the other: the sign "
@@ -97,7 +115,8 @@ const PairHit &DividedMeetings::plainest(const std::vector<const PairHit *> &hit
     return found == hits.end() ? *hits.front() : **found;
 }
 
-QString DividedMeetings::describe(const PairHit &hit) const
+QString describeMeeting(const PairHit &hit, const Ground &ground,
+                        const std::optional<MeetingDivision> &division)
 {
     const Meeting &m = hit.meeting;
     const Vec2 n{std::cos(m.degrees * std::numbers::pi / 180.0),
@@ -109,12 +128,12 @@ QString DividedMeetings::describe(const PairHit &hit) const
                           .arg(velocity(m.velocities.along1, m.velocities.across1),
                                velocity(m.velocities.along2, m.velocities.across2)),
                       ContactText::tr("their line of centres at %1°").arg(brief(m.degrees))};
-    const auto maySplit = [&](Kind kind) { return !m_division || m_division->kind == kind; };
+    const auto maySplit = [&](Kind kind) { return !division || division->kind == kind; };
     if (maySplit(Kind::Place))
         parts.append(ContactText::tr("near %1 m").arg(brief(m.middle)));
-    if (m_ground.pair.radii.isVaried() && maySplit(Kind::Size))
+    if (ground.pair.radii.isVaried() && maySplit(Kind::Size))
         parts.append(QStringLiteral("r₁ = %1, r₂ = %2 m").arg(brief(m.radius1), brief(m.radius2)));
-    if (m_ground.pair.densities.isVaried() && maySplit(Kind::Size))
+    if (ground.pair.densities.isVaried() && maySplit(Kind::Size))
         parts.append(QStringLiteral("ρ₁ = %1, ρ₂ = %2").arg(brief(m.density1), brief(m.density2)));
     return parts.join(QStringLiteral(", "));
 }

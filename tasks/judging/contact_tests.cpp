@@ -20,12 +20,21 @@ double largerPartOf(Vec2 n)
     return std::max(std::abs(n.x), std::abs(n.y));
 }
 
+/// Of the lengths before and after the step in which they are answered.
+template <class Part>
+double least(const PairHit &h, Part part)
+{
+    return std::min(std::abs(part(h.normal)), std::abs(part(h.nextNormal)));
+}
+
 } // namespace
 
 std::vector<ContactTest> contactTests()
 {
     const QString one =
         ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.");
+    const QString alone =
+        ContactText::tr("A distance is the root of the sum of the squares of both differences.");
     std::vector<ContactTest> all{
         {[](const PairHit &) { return 0.0; },
          ContactText::tr("The circles answer only when their centres have met"), one},
@@ -43,6 +52,14 @@ std::vector<ContactTest> contactTests()
          ContactText::tr("Side by side they answer in time, but on a diagonal only when their "
                          "centres are %2 m apart. A distance is the root of the sum of the "
                          "squares.")},
+        {[](const PairHit &h) { return h.meeting.sum() / least(h, [](Vec2 n) { return n.x; }); },
+         ContactText::tr("The circles are compared in x alone"), alone},
+        {[](const PairHit &h) { return h.meeting.sum() / least(h, [](Vec2 n) { return n.y; }); },
+         ContactText::tr("The circles are compared in y alone"), alone},
+        {[](const PairHit &h) {
+             return h.meeting.sum() / least(h, [](Vec2 n) { return n.x + n.y; });
+         },
+         ContactText::tr("|Δx + Δy| is not the distance"), alone},
         {[](const PairHit &h) { return std::sqrt(h.meeting.sum()); },
          ContactText::tr("A squared distance is compared with a length"),
          ContactText::tr("They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a "

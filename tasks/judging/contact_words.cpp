@@ -30,10 +30,12 @@ public:
         // A wrong direction shows here, too; it is the response that is wrong.
         if (!divided.isOfWay() && !isDirectionWrong())
             take(meetingDeviations(Meetings::Parting, m_own, m_right, m_ground));
-        for (const Meetings more : {Meetings::Later, Meetings::Slow}) {
+        for (const Meetings more : {Meetings::Later, Meetings::SlowOrFast}) {
             if (m_found.empty() && answersRightly())
                 take(meetingDeviations(more, m_own, m_right, m_ground));
         }
+        if (m_found.empty())
+            findOwn();
         return std::move(m_found);
     }
 
@@ -73,9 +75,11 @@ private:
                 *held);
         else if (right && held != m_own.contacts.end())
             add(ContactText::tr("The circles are put back and keep their velocities"),
-                ContactText::tr("When they touch a place changes and no velocity, so that the next "
-                                "step brings them there again. A hit changes velocities: look at "
-                                "whether those lines run, and at what they ask."),
+                ContactText::tr(
+                    "When they touch a place changes, and after the step both velocities "
+                    "are as before. A hit changes velocities: look at whether those "
+                    "lines run, at what they ask, and at whether others change the "
+                    "velocities back."),
                 *held);
         else if (right)
             add(ContactText::tr("The circles run through each other"),
@@ -111,6 +115,25 @@ private:
                                   "which way your normal points."),
             hit);
         return true;
+    }
+
+    /// The own scene, where other scenes are answered in time.
+    void findOwn()
+    {
+        if (!m_own.own || !m_right.own || !isInTime(*m_right.own) || !m_own.own->isMet()
+            || isInTime(*m_own.own))
+            return;
+        const PairHit &hit = *m_own.own;
+        add(hit.reached > hit.meeting.sum()
+                ? ContactText::tr("In your own scene the circles answer before they touch")
+                : ContactText::tr("In your own scene the circles answer too late"),
+            ContactText::tr("With r₁ = %1 m and r₂ = %2 m they answered when their centres were "
+                            "between %3 and %4 m apart; rims touch where that is %5 m. Other "
+                            "scenes come out right. Look at when your program reads the radii: "
+                            "what is read before `on_load` sets them is an old value.")
+                .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(hit.reached),
+                     brief(hit.before), brief(hit.meeting.sum())),
+            hit, Suspect::Copy);
     }
 
     /// A hit puts each circle near its own path, not at the place of the other.

@@ -54,6 +54,9 @@ std::vector<ResponseLaw> directionLaws()
     const QString unit =
         DirectionLawText::tr("A direction has length 1: divide it by its own length, "
                              "else its length comes into the push, and twice.");
+    const QString once = DirectionLawText::tr(
+        "The push is as many times too large as the centres are apart, in m. A direction has "
+        "length 1: where it is one of two factors, divide by its length twice, or once before.");
     const QString line =
         DirectionLawText::tr("The push acts along the line from centre to centre.");
     return {
@@ -63,7 +66,7 @@ std::vector<ResponseLaw> directionLaws()
          },
          DirectionLawText::tr("The normal does not have length 1"), unit},
         {[](DirectedHit h) { return pushed(h, 0.5 * (h.hit.before + h.hit.reached)); },
-         DirectionLawText::tr("The normal has length 1 in one place and not in the other"), unit},
+         DirectionLawText::tr("The distance of the centres comes into the push"), once},
         {[](DirectedHit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
          DirectionLawText::tr("The perpendicular of the line of centres is taken for the normal"),
          line},
@@ -71,7 +74,9 @@ std::vector<ResponseLaw> directionLaws()
              return exchangedAlong(h, {h.hit.normal.y, h.hit.normal.x});
          },
          DirectionLawText::tr("The parts x and y of the normal are exchanged"),
-         DirectionLawText::tr("Where an angle is used: `math.atan` takes y first, then x.")},
+         DirectionLawText::tr(
+             "Where an angle is used: x is its cosine and y its sine, and `math.atan` "
+             "takes y first, then x.")},
         {[](DirectedHit h) {
              return exchangedAlong(h, {h.hit.normal.x, -h.hit.normal.y});
          },

@@ -102,6 +102,8 @@ void includePair(Ground &ground, const CheckSpec &check, const SceneSpec &scene)
     pair.radii.include(scene.radii.y);
     pair.densities.include(scene.densities.x);
     pair.densities.include(scene.densities.y);
+    // Of several laws that are allowed each may have another use for masses.
+    pair.masses |= check.parameters.value(QStringLiteral("laws")).toArray().size() < 2;
 }
 
 /// Nowhere near a wall or another, and at no place that a program could know: four in the middle,

@@ -34,6 +34,7 @@ struct Ground {
         bool asked = false;
         bool oblique = false;  ///< hits off centre, too
         bool bothMove = false; ///< circle 2 moves before the hit, too
+        bool masses = false;   ///< what a hit does with unequal circles; else only when they meet
         std::vector<double> restitutions{};
         Range radii{0.2, 0.2};     ///< m
         Range densities{7.8, 7.8}; ///< 1000 kg/m³

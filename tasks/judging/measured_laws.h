@@ -57,6 +57,13 @@ public:
             m_pairAgain = measurePairAgain(m_program, m_ground, flight());
         return *m_pairAgain;
     }
+    /// And of hits of all kinds.
+    [[nodiscard]] const std::vector<PairHit> &pairAnswers() const
+    {
+        if (!m_pairAnswers)
+            m_pairAnswers = measurePairAnswers(m_program, m_ground, flight());
+        return *m_pairAnswers;
+    }
     /// Whether they were measured already.
     [[nodiscard]] bool knowsWalls() const { return m_walls.has_value(); }
     [[nodiscard]] bool knowsPair() const { return m_pair.has_value(); }
@@ -70,6 +77,7 @@ private:
     mutable std::optional<std::vector<FlightOccasion>> m_flightAgain{};
     mutable std::optional<std::vector<WallOccasion>> m_wallsAgain{};
     mutable std::optional<std::vector<PairOccasion>> m_pairAgain{};
+    mutable std::optional<std::vector<PairHit>> m_pairAnswers{};
 };
 
 } // namespace cradle

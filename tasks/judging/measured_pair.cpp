@@ -7,6 +7,7 @@
 #include "tasks/judging/pair_range.h"
 
 #include <algorithm>
+#include <array>
 
 namespace cradle {
 
@@ -40,6 +41,22 @@ std::vector<PairVelocities> throws(const Ground::Pair &pair)
     return {{1.2, 0.2, 0.1, -0.1}, {-0.1, 0.1, -1.2, 0.3}, {1.2, 0.5, -0.3, 0.1},
             {1.2, 0.1, 0.2, 0.4},  {1.7, 0.3, 0.5, -0.1},  {-0.5, 0.2, -1.7, 0.5}};
 }
+
+/// That who comes late is seen to come.
+PairVelocities gentleThrow(const Ground::Pair &asked)
+{
+    PairVelocities gentle =
+        asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
+    if (asked.oblique)
+        gentle.across1 = 0.25;
+    return gentle;
+}
+
+/// Lines of centres, degrees from the x axis, and where they meet, m.
+constexpr std::array aroundAndAbout{
+    std::pair{3.0, Vec2{0.17, -0.23}},  std::pair{47.0, Vec2{1.7, 1.6}},
+    std::pair{88.0, Vec2{-1.8, 0.9}},   std::pair{131.0, Vec2{0.9, -1.7}},
+    std::pair{222.0, Vec2{-1.6, -1.5}}, std::pair{318.0, Vec2{2.3, 2.3}}};
 
 /// Of two digits, so that a reader can reckon with them.
 double within(const Ground::Range &r, double share)
@@ -111,7 +128,9 @@ bool PairHit::isAlongCentres() const
 
 bool PairHit::fits(double distance) const
 {
-    return reached - 1e-9 <= distance && distance <= before + (before - reached) + 1e-9;
+    // Who answers at once may have done so long before.
+    return reached - 1e-9 <= distance
+           && (step == 1 || distance <= before + (before - reached) + 1e-9);
 }
 
 namespace {
@@ -159,12 +178,16 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     const double light = within(asked.densities, 0.25);
     const double dense = within(asked.densities, 0.8);
     const double e = *std::max_element(asked.restitutions.begin(), asked.restitutions.end());
-    PairVelocities gentle =
-        asked.bothMove ? PairVelocities{0.7, 0.1, -0.5, 0.1} : PairVelocities{1.2, 0.0, 0.0, 0.0};
-    if (asked.oblique)
-        gentle.across1 = 0.25;
-    for (const double degrees : {3.0, 47.0, 88.0, 131.0, 222.0, 318.0})
-        contacts.push_back(range.scan({degrees, small, large, light, light, e, gentle}));
+    const PairVelocities gentle = gentleThrow(asked);
+    for (const auto &[degrees, middle] : aroundAndAbout) {
+        Meeting m{degrees, small, large, light, light, e, gentle, middle};
+        // A circle at rest is met, too.
+        if (asked.bothMove && degrees == 131.0)
+            m.velocities = {1.2, gentle.across1, 0.0, 0.0};
+        if (asked.bothMove && degrees == 222.0)
+            m.velocities = {0.0, 0.0, -1.2, gentle.across1};
+        contacts.push_back(range.scan(m));
+    }
     if (asked.radii.isVaried()) {
         for (const double degrees : {33.0, 205.0})
             contacts.push_back(range.scan({degrees, large, small, light, light, e, gentle}));
@@ -174,10 +197,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         return hit.isMet() && !hit.fits(hit.meeting.sum());
     });
     if (isOff && !asked.radii.isVaried()) {
-        PairVelocities slower = gentle;
-        for (double PairVelocities::*part : {&PairVelocities::along1, &PairVelocities::across1,
-                                             &PairVelocities::along2, &PairVelocities::across2})
-            slower.*part *= 0.4;
+        const PairVelocities slower = faster(gentle, 0.4);
         for (const auto &[one, two] : {std::pair(0.14, 0.36), std::pair(0.36, 0.14)}) {
             for (const double degrees : {33.0, 205.0})
                 otherRadii.push_back(range.scan({degrees, one, two, light, light, e, slower}));
@@ -191,14 +211,14 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     noteLate(equals);
     modes = {equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(all.size())};
     const PairVelocities &both = all.size() > 4 ? all[4] : all.back();
-    if (asked.radii.isVaried()) {
+    if (asked.radii.isVaried() && asked.masses) {
         radii.push_back(range.look({33.0, small, large, light, light, e, both}));
         radii.push_back(range.look({33.0, large, small, light, light, e, both}));
         radii.push_back(range.look({61.0, large, large, light, light, e, both}));
     } else {
         larger = range.look({61.0, 1.4 * small, 1.4 * small, light, light, e, both});
     }
-    if (asked.densities.isVaried()) {
+    if (asked.densities.isVaried() && asked.masses) {
         densities.push_back(range.look({33.0, small, small, light, dense, e, both}));
         densities.push_back(range.look({33.0, small, small, dense, light, e, both}));
         densities.push_back(range.look({33.0, small, small, dense, dense, e, both}));
@@ -233,6 +253,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     const double second = asked.bothMove ? -0.4 * slowly : 0.0;
     slow = range.look(
         {33.0, small, small, light, light, some, {.along1 = second + slowly, .along2 = second}});
+    fast = range.approach({33.0, small, small, light, light, some, faster(gentle, 3.5)});
     twice = range.twice({33.0, small, small, light, light, some, gentle});
     // One that is not answered is looked at from near, where words point to a step of it.
     if (!slow->answered)

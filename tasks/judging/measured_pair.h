@@ -18,6 +18,12 @@ struct PairVelocities {
     friend constexpr bool operator==(const PairVelocities &, const PairVelocities &) = default;
 };
 
+/// The same, so many times as fast.
+[[nodiscard]] constexpr PairVelocities faster(const PairVelocities &v, double times)
+{
+    return {times * v.along1, times * v.across1, times * v.along2, times * v.across2};
+}
+
 /// How two circles are thrown at each other.
 struct Meeting {
     double degrees = 0.0;  ///< of the line of centres, from the x axis
@@ -100,6 +106,11 @@ struct PairOccasion {
 [[nodiscard]] std::vector<PairOccasion>
 measurePairAgain(const QString *program, const Ground &ground, const MeasuredFlight &flight);
 
+/// Meetings of all kinds, each in a run of its own, in so short steps that the answers can be read
+/// exactly; none where laws move the circles.
+[[nodiscard]] std::vector<PairHit> measurePairAnswers(const QString *program, const Ground &ground,
+                                                      const MeasuredFlight &flight);
+
 /// How a program answers the meetings of circles 1 and 2.
 struct MeasuredPair {
     /// \param flight  of the same program
@@ -115,20 +126,23 @@ struct MeasuredPair {
     std::vector<PairHit> contacts{}; ///< slowly, from all around: when are they answered?
     /// Where some of these come at a wrong distance, and radii are not varied: with other radii.
     std::vector<PairHit> otherRadii{};
-    std::vector<PairHit> modes{};       ///< who comes to whom
-    std::vector<PairHit> equals{};      ///< equal circles, e as it is without losses
-    std::vector<PairHit> radii{};       ///< one is larger
-    std::optional<PairHit> larger{};    ///< where sizes are not varied: two larger equal ones
-    std::vector<PairHit> densities{};   ///< one is denser
-    std::vector<PairHit> rebounds{};    ///< the other values of e
-    std::vector<PairHit> partings{};    ///< they overlap and move apart: nothing should happen
-    std::optional<PairHit> twice{};     ///< they met, move apart, and are hit again
-    std::optional<PairHit> own{};       ///< the first hit of the student's own scene
-    int ownContacts = 0;                ///< how often they meet again when a wall sends one back
-    bool ranThrough = false;            ///< and whether it ran through the other then
-    bool ranThroughAtOnce = false;      ///< only from so near a wall that it is back at once
+    std::vector<PairHit> modes{};     ///< who comes to whom
+    std::vector<PairHit> equals{};    ///< equal circles, e as it is without losses
+    std::vector<PairHit> radii{};     ///< one is larger
+    std::optional<PairHit> larger{};  ///< where sizes are not varied: two larger equal ones
+    std::vector<PairHit> densities{}; ///< one is denser
+    std::vector<PairHit> rebounds{};  ///< the other values of e
+    std::vector<PairHit> partings{};  ///< they overlap and move apart: nothing should happen
+    std::optional<PairHit> twice{};   ///< they met, move apart, and are hit again
+    std::optional<PairHit> own{};     ///< the first hit of the student's own scene
+    int ownContacts = 0;              ///< how often they meet again when a wall sends one back
+    bool ranThrough = false;          ///< and whether it ran through the other then
+    bool ranThroughAtOnce = false;    ///< only from so near a wall that it is back at once
+    /// What became of a run that begins just before it ran through, if it did.
+    std::optional<PairHit> ranThroughAnew{};
     std::vector<PairHit> varied{};      ///< where some are missed: thrown in many ways
     std::optional<PairHit> slow{};      ///< equal circles meet slowly, with an e of the middle
+    std::optional<PairHit> fast{};      ///< and so fast that they are deep in each other at once
     std::optional<LaterHit> later{};    ///< two hits with different lines of centres
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/meeting_division.h"
 
+#include "tasks/judging/deviation.h"
 #include "tasks/judging/tried_words.h"
 
 #include <QCoreApplication>
@@ -20,17 +21,24 @@ struct DivisionText {
 
 /// A meeting as a program sees it.
 struct Thrown {
-    Thrown(const PairHit &hit, bool isRight)
+    Thrown(const PairHit &hit, bool right)
         : meeting(hit.meeting)
         , normal(directionOf(hit.meeting.degrees))
         , v1(worldOf(hit.meeting.velocities.along1, hit.meeting.velocities.across1))
         , v2(worldOf(hit.meeting.velocities.along2, hit.meeting.velocities.across2))
         , slowness(hit.slowness)
-        , isMet(isRight)
+        , isRight(right)
     {
     }
 
     [[nodiscard]] Vec2 relative() const { return v1 - v2; }
+    /// A part of \p v, in x or y; not a number where rounding alone would tell its sign.
+    [[nodiscard]] static double partOf(Vec2 v, double Vec2::*part)
+    {
+        return v != Vec2{} && std::abs(v.*part) < 1e-9 * length(v)
+                   ? std::numeric_limits<double>::quiet_NaN()
+                   : v.*part;
+    }
     /// How fast circle 1, seen from circle 2, moves away from the origin; not a number where that
     /// is not so from both places alike.
     [[nodiscard]] double outward() const
@@ -50,7 +58,7 @@ struct Thrown {
     Vec2 v1;
     Vec2 v2;
     double slowness;
-    bool isMet;
+    bool isRight;
 
 private:
     static Vec2 directionOf(double degrees)
@@ -74,10 +82,10 @@ struct Sign {
 
 std::vector<Sign> sides()
 {
-    return {{[](const Thrown &t) { return t.normal.x; },
+    return {{[](const Thrown &t) { return Thrown::partOf(t.normal, &Vec2::x); },
              DivisionText::tr("circle 2 is to the right of circle 1"),
              DivisionText::tr("circle 2 is to the left of circle 1")},
-            {[](const Thrown &t) { return t.normal.y; },
+            {[](const Thrown &t) { return Thrown::partOf(t.normal, &Vec2::y); },
              DivisionText::tr("circle 2 is above circle 1"),
              DivisionText::tr("circle 2 is below circle 1")}};
 }
@@ -134,19 +142,22 @@ std::vector<Sign> ways()
     const auto down = [](int circle) {
         return DivisionText::tr("circle %1 moves downward").arg(circle);
     };
-    return {{[](const Thrown &t) { return t.v1.x; }, right(1), left(1), rests(1)},
-            {[](const Thrown &t) { return t.v1.y; }, up(1), down(1), rests(1)},
-            {[](const Thrown &t) { return t.v2.x; }, right(2), left(2), rests(2)},
-            {[](const Thrown &t) { return t.v2.y; }, up(2), down(2), rests(2)},
-            {[](const Thrown &t) { return t.relative().x; },
-             DivisionText::tr("circle 1, seen from circle 2, moves to the right"),
-             DivisionText::tr("circle 1, seen from circle 2, moves to the left")},
-            {[](const Thrown &t) { return t.relative().y; },
-             DivisionText::tr("circle 1, seen from circle 2, moves upward"),
-             DivisionText::tr("circle 1, seen from circle 2, moves downward")},
-            {[](const Thrown &t) { return t.outward(); },
-             DivisionText::tr("circle 1, seen from circle 2, moves away from (0, 0)"),
-             DivisionText::tr("circle 1, seen from circle 2, moves towards (0, 0)")}};
+    return {
+        {[](const Thrown &t) { return Thrown::partOf(t.v1, &Vec2::x); }, right(1), left(1),
+         rests(1)},
+        {[](const Thrown &t) { return Thrown::partOf(t.v1, &Vec2::y); }, up(1), down(1), rests(1)},
+        {[](const Thrown &t) { return Thrown::partOf(t.v2, &Vec2::x); }, right(2), left(2),
+         rests(2)},
+        {[](const Thrown &t) { return Thrown::partOf(t.v2, &Vec2::y); }, up(2), down(2), rests(2)},
+        {[](const Thrown &t) { return Thrown::partOf(t.relative(), &Vec2::x); },
+         DivisionText::tr("circle 1, seen from circle 2, moves to the right"),
+         DivisionText::tr("circle 1, seen from circle 2, moves to the left")},
+        {[](const Thrown &t) { return Thrown::partOf(t.relative(), &Vec2::y); },
+         DivisionText::tr("circle 1, seen from circle 2, moves upward"),
+         DivisionText::tr("circle 1, seen from circle 2, moves downward")},
+        {[](const Thrown &t) { return t.outward(); },
+         DivisionText::tr("circle 1, seen from circle 2, moves away from (0, 0)"),
+         DivisionText::tr("circle 1, seen from circle 2, moves towards (0, 0)")}};
 }
 
 std::vector<Sign> sizes()
@@ -168,103 +179,208 @@ std::vector<Sign> sizes()
              },
              heavier(1), heavier(2), DivisionText::tr("both are equally heavy")},
             {[](const Thrown &t) { return t.meeting.density1 - t.meeting.density2; }, denser(1),
-             denser(2), DivisionText::tr("both are equally dense")}};
+             denser(2), DivisionText::tr("both are equally dense")},
+            {[](const Thrown &t) { return 1.0 - t.meeting.restitution; },
+             DivisionText::tr("e is less than 1"), QString(), DivisionText::tr("e is 1")}};
 }
 
 /// Fewer may be chance.
 constexpr std::ptrdiff_t fewest = 2;
 
-/// The words for those of \p all that are answered, if the sign of a quantity tells them from the
-/// others; empty if it does not.
-QString phraseBy(const Sign &sign, const std::vector<Thrown> &all)
+/// The division of \p all by the sign of a quantity, if that tells those that come out right from
+/// the others.
+std::optional<MeetingDivision> bySign(MeetingDivision::Kind kind, const Sign &sign,
+                                      const std::vector<Thrown> &all)
 {
     enum { Negative, Zero, Positive };
-    bool met[3] = {false, false, false};
-    bool missed[3] = {false, false, false};
+    bool right[3] = {false, false, false};
+    bool wrong[3] = {false, false, false};
     for (const Thrown &one : all) {
         const double value = sign.of(one);
         if (std::isnan(value))
             continue;
         const int which = value > 0.0 ? Positive : value < 0.0 ? Negative : Zero;
-        (one.isMet ? met : missed)[which] = true;
+        (one.isRight ? right : wrong)[which] = true;
     }
-    QStringList names;
+    QStringList ofRight;
+    QStringList ofWrong;
     for (const auto &[which, name] : {std::pair<int, const QString &>(Positive, sign.positive),
                                       std::pair<int, const QString &>(Negative, sign.negative),
                                       std::pair<int, const QString &>(Zero, sign.zero)}) {
-        if (met[which] && missed[which])
-            return {};
-        if (met[which])
-            names.append(name);
+        if (right[which] && wrong[which])
+            return std::nullopt;
+        if (right[which])
+            ofRight.append(name);
+        if (wrong[which])
+            ofWrong.append(name);
     }
-    return names.size() == 2 ? DivisionText::tr("%1 or %2").arg(names[0], names[1])
-                             : names.value(0);
+    if (ofRight.isEmpty() || ofWrong.isEmpty())
+        return std::nullopt;
+    return MeetingDivision{
+        kind, ofRight.size() > 1
+                  ? DivisionText::tr("all but those where %1").arg(ofWrong.front())
+                  : DivisionText::tr("those where %1, no others").arg(ofRight.front())};
+}
+
+/// A quantity that may have to be small, or great; where the limit lies stands in the words.
+struct Size {
+    MeetingDivision::Kind kind;
+    double (*of)(const Thrown &);
+    QString below;
+    QString above;
+};
+
+std::vector<Size> limits()
+{
+    using Kind = MeetingDivision::Kind;
+    const auto slower = [](int circle) {
+        return DivisionText::tr(
+                   "all with circle %1 at up to %2 m/s, none with it at %3 m/s or more")
+            .arg(QString::number(circle), QStringLiteral("%1"), QStringLiteral("%2"));
+    };
+    const auto faster = [](int circle) {
+        return DivisionText::tr(
+                   "all with circle %1 at %2 m/s or more, none with it at up to %3 m/s")
+            .arg(QString::number(circle), QStringLiteral("%1"), QStringLiteral("%2"));
+    };
+    return {{Kind::Speed, [](const Thrown &t) { return t.slowness * length(t.v1); }, slower(1),
+             faster(1)},
+            {Kind::Speed, [](const Thrown &t) { return t.slowness * length(t.v2); }, slower(2),
+             faster(2)},
+            {Kind::Place, [](const Thrown &t) { return length(t.meeting.middle); },
+             DivisionText::tr("all up to %1 m from (0, 0), none from %2 m on"),
+             DivisionText::tr("all from %1 m from (0, 0) on, none up to %2 m")}};
+}
+
+std::optional<MeetingDivision> byLimit(const Size &size, const std::vector<Thrown> &all)
+{
+    const double infinity = std::numeric_limits<double>::infinity();
+    double least[2] = {infinity, infinity}; // of those that come out wrong, and right
+    double most[2] = {-infinity, -infinity};
+    std::ptrdiff_t none = 0;
+    for (const Thrown &one : all) {
+        const double value = size.of(one);
+        none += value == 0.0 ? 1 : 0;
+        least[one.isRight] = std::min(least[one.isRight], value);
+        most[one.isRight] = std::max(most[one.isRight], value);
+    }
+    // Where most of those below are at rest, it may be rest that counts.
+    const double limit = std::min(most[true], most[false]);
+    const auto below = std::count_if(all.begin(), all.end(),
+                                     [&](const Thrown &one) { return size.of(one) <= limit; });
+    if (2 * none > below)
+        return std::nullopt;
+    if (most[true] < least[false])
+        return MeetingDivision{size.kind, size.below.arg(brief(most[true]), brief(least[false]))};
+    if (most[false] < least[true])
+        return MeetingDivision{size.kind, size.above.arg(brief(least[true]), brief(most[false]))};
+    return std::nullopt;
 }
 
 /// A speed or a place from which on they are answered. It may be the place of either circle.
 std::optional<MeetingDivision> limitOf(const std::vector<Thrown> &all)
 {
     using Limit = Condition::Kind;
+    std::optional<Condition> widest;
+    double point = 0.0; // whose place it is, if it is known
     for (const double share : {0.0, -0.5, 0.5}) {
         std::vector<Occasion> occasions;
         for (const Thrown &one : all)
             occasions.push_back(
                 {.place = one.meeting.middle + share * one.meeting.sum() * one.normal,
                  .speed = one.slowness * one.meeting.closing(),
-                 .isRight = one.isMet});
+                 .isRight = one.isRight});
         const auto limit = conditionOf(occasions);
-        if (!limit || limit->kind == Limit::Sometimes)
+        if (!limit || limit->kind == Limit::Sometimes || (widest && widest->kind != limit->kind))
             continue;
-        const QString phrase = triedPhrase(*limit);
-        if (!limit->isOfPlace())
+        // Nobody knows of which point the place counts: the limit is told for all of them.
+        if (!widest) {
+            widest = limit;
+            point = share;
+        } else {
+            point = 0.0;
+            const bool isFalling = limit->inside < limit->outside;
+            widest->inside = isFalling ? std::min(widest->inside, limit->inside)
+                                       : std::max(widest->inside, limit->inside);
+            widest->outside = isFalling ? std::max(widest->outside, limit->outside)
+                                        : std::min(widest->outside, limit->outside);
+        }
+    }
+    if (widest) {
+        const QString phrase = triedPhrase(*widest);
+        if (!widest->isOfPlace())
             return MeetingDivision{MeetingDivision::Kind::Speed, phrase};
         return MeetingDivision{
             MeetingDivision::Kind::Place,
-            share == 0.0
+            point == 0.0
                 ? phrase
-                : DivisionText::tr("%1, where circle %2 was").arg(phrase).arg(share < 0.0 ? 1 : 2)};
+                : DivisionText::tr("%1, where circle %2 was").arg(phrase).arg(point < 0.0 ? 1 : 2)};
     }
-    return std::nullopt;
+    std::optional<MeetingDivision> found;
+    for (const Size &size : limits()) {
+        const auto other = byLimit(size, all);
+        if (found && other)
+            return std::nullopt;
+        if (other)
+            found = other;
+    }
+    return found;
 }
 
-/// What tells those that \p isRight says so of from the others.
+/// Those of \p hits that can be judged.
 template <class IsRight>
-std::optional<MeetingDivision> divided(const std::vector<PairHit> &hits, IsRight isRight)
+std::vector<JudgedMeeting> judged(const std::vector<PairHit> &hits, IsRight isRight)
 {
-    std::vector<Thrown> all;
+    std::vector<JudgedMeeting> all;
     for (const PairHit &hit : hits) {
         if (!hit.stopped && !hit.isHeldAlone())
-            all.emplace_back(hit, isRight(hit));
+            all.push_back({&hit, isRight(hit)});
     }
-    const auto met =
-        std::count_if(all.begin(), all.end(), [](const Thrown &one) { return one.isMet; });
-    if (met < fewest || std::ssize(all) - met < fewest)
+    return all;
+}
+
+} // namespace
+
+std::optional<MeetingDivision> divisionBy(const std::vector<JudgedMeeting> &meetings)
+{
+    std::vector<Thrown> all;
+    for (const JudgedMeeting &one : meetings)
+        all.emplace_back(*one.hit, one.isRight);
+    const auto right =
+        std::count_if(all.begin(), all.end(), [](const Thrown &one) { return one.isRight; });
+    if (right < fewest || std::ssize(all) - right < fewest)
         return std::nullopt;
     using Kind = MeetingDivision::Kind;
+    std::optional<MeetingDivision> found;
     for (const auto &[kind, signs] : {std::pair(Kind::Side, sides()),
                                       {Kind::Coming, comings()},
                                       {Kind::Way, ways()},
                                       {Kind::Size, sizes()}}) {
         for (const Sign &sign : signs) {
-            const QString phrase = phraseBy(sign, all);
-            if (!phrase.isEmpty())
-                return MeetingDivision{kind,
-                                       DivisionText::tr("those where %1, no others").arg(phrase)};
+            const auto other = bySign(kind, sign, all);
+            if (!other)
+                continue;
+            // Where densities are alike, the larger one is the heavier one.
+            const bool isSame = found
+                                && (other->phrase == found->phrase
+                                    || (kind == Kind::Size && found->kind == Kind::Size));
+            if (found && !isSame)
+                return std::nullopt;
+            if (!found)
+                found = other;
         }
     }
-    return limitOf(all);
+    return found ? found : limitOf(all);
 }
-
-} // namespace
 
 std::optional<MeetingDivision> divisionOf(const std::vector<PairHit> &hits, bool isAlong)
 {
-    if (auto found = divided(hits, [](const PairHit &hit) { return hit.isInTime(); }))
+    if (auto found = divisionBy(judged(hits, [](const PairHit &hit) { return hit.isInTime(); })))
         return found;
     if (!isAlong)
         return std::nullopt;
-    auto found =
-        divided(hits, [](const PairHit &hit) { return hit.isInTime() && hit.isAlongCentres(); });
+    auto found = divisionBy(
+        judged(hits, [](const PairHit &hit) { return hit.isInTime() && hit.isAlongCentres(); }));
     if (found)
         found->isOfDirection = true;
     return found;

@@ -10,8 +10,7 @@
 
 namespace cradle {
 
-/// What those meetings have in common that are answered when they come, and no others; or answered
-/// along the line of centres.
+/// What those meetings have in common that come out right, and no others; or those that do not.
 struct MeetingDivision {
     enum class Kind {
         Side,   ///< on which side of circle 1 the other is
@@ -26,9 +25,19 @@ struct MeetingDivision {
     bool isOfDirection = false; ///< others are answered, but not along the line of centres
 };
 
+/// A meeting, and whether it came out right.
+struct JudgedMeeting {
+    const PairHit *hit = nullptr;
+    bool isRight = false;
+};
+
+/// \return nothing where all or none come out right, nothing that is known divides them, or several
+///         things do, of which none is known to be the one that counts
+[[nodiscard]] std::optional<MeetingDivision> divisionBy(const std::vector<JudgedMeeting> &meetings);
+
+/// By whether they are answered when they come, or, if all are, along the line of centres.
 /// \param hits      of many kinds
 /// \param isAlong   whether all should be answered along the line of centres
-/// \return nothing where all or none are answered, or nothing that is known divides them
 [[nodiscard]] std::optional<MeetingDivision> divisionOf(const std::vector<PairHit> &hits,
                                                         bool isAlong);
 

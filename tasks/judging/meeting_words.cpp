@@ -24,8 +24,8 @@ public:
         case Meetings::Later:
             findOnce();
             break;
-        case Meetings::Slow:
-            findSlow();
+        case Meetings::SlowOrFast:
+            findSpeed();
             break;
         }
         return std::move(m_found);
@@ -45,19 +45,28 @@ private:
             hit);
     }
 
-    void findSlow()
+    /// Of the slow and the fast ones.
+    void findSpeed()
     {
-        if (!m_own.slow || !m_right.slow || m_own.slow->answered || m_own.slow->held
-            || !m_right.slow->isMet() || !answersAny(m_own.equals))
+        findSpeed(m_own.slow, m_right.slow,
+                  ContactText::tr("Circles that come nearer slowly are not answered"));
+        findSpeed(m_own.fast, m_right.fast,
+                  ContactText::tr("Circles that come nearer fast are not answered"));
+    }
+
+    void findSpeed(const std::optional<PairHit> &own, const std::optional<PairHit> &right,
+                   const QString &headline)
+    {
+        if (!own || !right || own->answered || own->held || !right->isMet()
+            || !answersAny(m_own.equals))
             return;
-        const PairHit &hit = *m_own.slow;
-        add(ContactText::tr("Circles that come nearer slowly are not answered"),
+        add(headline,
             ContactText::tr("They came nearer with %1 m/s and ran into each other; with %2 m/s "
                             "they are answered. How fast they come does not matter: what counts "
                             "is whether they overlap and come nearer.")
-                .arg(brief(hit.slowness * hit.meeting.closing()),
-                     brief(hit.slowness * m_own.contacts.front().meeting.closing())),
-            whereTheyTouch(hit));
+                .arg(brief(own->slowness * own->meeting.closing()),
+                     brief(own->slowness * m_own.contacts.front().meeting.closing())),
+            whereTheyTouch(*own));
     }
 
     void findOnce()
@@ -68,6 +77,16 @@ private:
             return addUnanswered(
                 ContactText::tr("Nothing happens when it is circle 2 that comes nearer"),
                 *m_own.returning);
+        if (m_own.ranThroughAnew && !m_own.ranThroughAnew->answered) {
+            const PairHit &hit = *m_own.ranThroughAnew;
+            return add(ContactText::tr("Not every meeting is answered"),
+                       ContactText::tr("Near %1 m circle 1 came with %2 m/s and circle 2 with %3 "
+                                       "m/s, and they ran into each other; elsewhere others are "
+                                       "answered. What counts is whether they overlap and come "
+                                       "nearer.")
+                           .arg(brief(hit.meeting.middle), brief(hit.came1), brief(hit.came2)),
+                       hit);
+        }
         if (m_own.ranThroughAtOnce)
             return add(
                 ContactText::tr("A hit soon after another is not answered"),

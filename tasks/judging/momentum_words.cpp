@@ -47,8 +47,8 @@ std::optional<LawDeviation> pushOnOne(const MeasuredPair &own, const MeasuredPai
         ResponseText::tr("Where the masses differ, only circle %1 leaves as it should")
             .arg(isRight[0] ? 1 : 2),
         describeHit(*shown, *good) + QLatin1Char(' ')
-            + ResponseText::tr("Look at which mass the other one is pushed with: each change of a "
-                               "velocity is the push divided by the circle's own mass."),
+            + ResponseText::tr("Look at which masses and which signs stand in what is worked out "
+                               "for the other one."),
         *shown);
 }
 

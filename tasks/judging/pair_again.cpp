@@ -15,6 +15,11 @@ constexpr std::array waits{0.0, 0.0, 0.3, 0.0, 0.7, 1.3, 0.0, 2.0, 0.0, 3.0, 0.0
 constexpr std::array places{Vec2{-2.31, 1.87}, Vec2{1.93, 2.29},  Vec2{-1.79, -2.13},
                             Vec2{2.17, -1.71}, Vec2{0.29, 1.37},  Vec2{-0.83, -1.91},
                             Vec2{1.61, -0.37}, Vec2{-2.53, -0.41}};
+/// How many times as fast they are, and from where they come: what is kept from one meeting is
+/// wrong in the next.
+constexpr std::array speeds{1.0, 0.8, 1.3, 0.9, 1.2, 0.7, 1.1, 1.4, 0.85, 1.25, 0.95, 1.15};
+constexpr std::array turns{0.0,   180.0, 85.0,  40.0,  265.0, 150.0,
+                           200.0, 20.0,  300.0, 110.0, 240.0, 60.0}; // degrees
 /// Of a run whose first meeting is late, s: what counts the time is told from what counts meetings.
 constexpr double lateStart = 12.0;
 
@@ -41,17 +46,23 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
     const Meeting &meeting = model.meeting;
     const bool isElsewhere = model.isMet() && !model.fits(meeting.sum());
     const double aim = isElsewhere ? 0.5 * (model.before + model.reached) : meeting.sum();
-    const auto at = [&](Vec2 place) {
-        const double distance = aim + 2.4 * std::abs(meeting.closing()) * shortStep;
+    const auto at = [&](Vec2 place, double speed = 1.0, double turn = 0.0) {
         PairOccasion one{{.meeting = meeting, .slowness = slowness(shortStep)}, {.place = place}};
-        one.hit.meeting.middle = place;
-        one.hit.stage = stageOf(one.hit.meeting, distance, aim, shortStep);
+        Meeting &m = one.hit.meeting;
+        m.middle = place;
+        // Where they answer is known of this line alone, if it is not where the rims meet.
+        m.degrees += isElsewhere ? 0.0 : turn;
+        m.velocities = faster(m.velocities, speed);
+        const double distance = aim + 2.4 * std::abs(m.closing()) * shortStep;
+        one.hit.stage = stageOf(m, distance, aim, shortStep);
+        one.when.speed = one.hit.slowness * m.closing();
         return one;
     };
     std::vector<PairOccasion> all{
         {model,
          {.time = static_cast<double>(model.step) * model.stage.preset.timestep,
-          .place = meeting.middle}}};
+          .place = meeting.middle,
+          .speed = model.slowness * meeting.closing()}}};
     PairOccasion late = at(places.back());
     LongRun lateRun(m_program, m_ground, late.hit.stage.preset);
     lateRun.wait(lateStart);
@@ -61,7 +72,7 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
     LongRun run(m_program, m_ground, at(places.front()).hit.stage.preset);
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < waits.size(); ++k) {
-        PairOccasion one = at(places[k % places.size()]);
+        PairOccasion one = at(places[k % places.size()], speeds[k], turns[k]);
         run.wait(waits[k]);
         if (!meetIn(run, one))
             return {};

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/condition_comparison.h"
+#include "tasks/judging/contact_comparison.h"
 #include "tasks/judging/meeting_division.h"
-#include "tasks/judging/response_laws.h"
+#include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
+
+#include <cmath>
 
 namespace cradle {
 
@@ -20,7 +23,10 @@ public:
 
     [[nodiscard]] ConditionedAspect judge(Aspect aspect)
     {
-        judgePair(aspect);
+        if (!judgePair(aspect) && aspect == Aspect::Response) {
+            judgeKinds();
+            addSurroundings();
+        }
         return std::move(m_said);
     }
 
@@ -32,7 +38,7 @@ private:
         // Where nothing divides them, older values than those that are set may count.
         return kind == Condition::Kind::Sometimes
                || (kind == Condition::Kind::First && !found.empty() && m_own.pair().ranThrough)
-               || (kind == Condition::Kind::NotFirst
+               || ((kind == Condition::Kind::NotFirst || kind == Condition::Kind::First)
                    && std::any_of(found.begin(), found.end(), [](const LawDeviation &one) {
                           return one.suspect == Suspect::Kept;
                       }));
@@ -47,7 +53,8 @@ private:
         return !varied.empty() && (!division || division->kind != MeetingDivision::Kind::Place);
     }
 
-    void judgePair(Aspect aspect)
+    /// \return whether something is said
+    bool judgePair(Aspect aspect)
     {
         const auto &own = m_own.pairAgain();
         const auto &right = m_right.pairAgain();
@@ -57,15 +64,16 @@ private:
             const PairHit &good = right[i].hit;
             if (!good.isMet() || hit.stopped)
                 continue;
+            const bool isAnswer = hit.isMet() && !isTooEarly(hit);
             if (aspect == Aspect::Contact)
-                series.add(own[i], right[i], hit.isMet());
-            else if (hit.isMet() && hit.isAligned() && good.isAligned())
-                series.add(own[i], right[i], isSameAnswer(hit.leftParts(), good.leftParts()));
+                series.add(own[i], right[i], isAnswer);
+            else if (isAnswer && hit.isAligned() && good.isAligned())
+                series.add(own[i], right[i], isSame(hit, hit.leftParts(), good.leftParts()));
         }
         const auto condition = conditionOf(series.when);
         if (!condition || isSaid(condition->kind)
             || (aspect == Aspect::Contact && condition->isOfPlace() && isOfOther()))
-            return;
+            return false;
         const auto &[seen, good] = series.firstWrong();
         const bool isContact = aspect == Aspect::Contact;
         const bool hasLosses = m_ground.pair.restitutions.size() > 1;
@@ -90,6 +98,205 @@ private:
              triesTold(series.when)},
             *condition, {0, 1}, {.stage = hit.stage, .step = good->hit.step},
             [](const LawDeviation &found) { return found.suspect != Suspect::Masses; });
+        return true;
+    }
+
+    /// Whether two answers to \p hit are the same, as seen from how fast they came.
+    static bool isSame(const PairHit &hit, const PairVelocities &a, const PairVelocities &b)
+    {
+        constexpr double blur = 3e-3; // the line of centres turns a little in a step
+        const double slack = blur * std::abs(hit.meeting.closing());
+        return std::abs(a.along1 - b.along1) < slack && std::abs(a.across1 - b.across1) < slack
+               && std::abs(a.along2 - b.along2) < slack && std::abs(a.across2 - b.across2) < slack;
+    }
+
+    /// Whether a velocity changed while the rims were apart, of a program that is not known to
+    /// answer so early: that is no answer.
+    [[nodiscard]] bool isTooEarly(const PairHit &hit) const
+    {
+        const PairHit &model = m_own.pairAgain().front().hit;
+        return hit.step == 1 && (!model.isMet() || model.fits(model.meeting.sum()));
+    }
+
+    using Kinds = std::vector<JudgedMeeting>;
+
+    /// The hits of all kinds that can be judged.
+    [[nodiscard]] Kinds kinds() const
+    {
+        const std::vector<PairHit> &own = m_own.pairAnswers();
+        const std::vector<PairHit> &right = m_right.pairAnswers();
+        Kinds all;
+        for (std::size_t i = 0; own.size() == right.size() && i < own.size(); ++i) {
+            if (own[i].isMet() && own[i].isAligned() && right[i].isMet() && right[i].isAligned())
+                all.push_back({&own[i], isSame(own[i], own[i].leftParts(),
+                                               rightFor(own[i].cameParts(), right[i]))});
+        }
+        return all;
+    }
+
+    /// Whether a law that was found of equal circles holds for all of \p hits.
+    [[nodiscard]] bool isLawOf(const Kinds &hits) const
+    {
+        std::vector<PairHit> own;
+        std::vector<PairHit> right;
+        for (const JudgedMeeting &one : hits) {
+            own.push_back(*one.hit);
+            right.push_back(goodOf(*one.hit));
+        }
+        const std::vector<EqualHit> all = comparableHits(own, right);
+        const QString &said = m_said.deviations.front().message;
+        for (const int circle : {0, 1}) {
+            const QString law = lawOfPart(all, circle);
+            if (!law.isEmpty() && said.contains(law))
+                return true;
+        }
+        const auto laws = knownResponses();
+        return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
+            return said.startsWith(law.headline + QLatin1Char('\n')) && follows(law, all);
+        });
+    }
+
+    /// Whether what was found is that masses grow with some powers, and all of \p hits are so.
+    [[nodiscard]] bool areMasses(const Kinds &hits) const
+    {
+        if (m_said.deviations.front().suspect != Suspect::Masses)
+            return false;
+        const MassExponents p(m_own.pair());
+        return (p.radius || p.density)
+               && std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
+                      const auto heavy = massRatio(*one.hit);
+                      return heavy && std::abs(*heavy / p.ratioOf(one.hit->meeting) - 1.0) < 0.05;
+                  });
+    }
+
+    [[nodiscard]] const PairHit &goodOf(const PairHit &hit) const
+    {
+        const auto at = static_cast<std::size_t>(&hit - m_own.pairAnswers().data());
+        return m_right.pairAnswers()[at];
+    }
+
+    /// What was found of a few hits, told of no more than it holds for.
+    void judgeKinds()
+    {
+        std::vector<LawDeviation> &found = m_said.deviations;
+        if (!found.empty() && found.front().topic == Topic::Restitution)
+            return;
+        Kinds all = kinds();
+        // All of these are first hits: what is wrong with them was not kept.
+        const bool isOfMemory =
+            !found.empty()
+            && (found.front().suspect == Suspect::Kept || found.front().suspect == Suspect::Copy);
+        if (isOfMemory && rightOf(all) < std::ssize(all))
+            found.clear();
+        if (!found.empty()) {
+            const double e = m_own.pair().equals.front().meeting.restitution;
+            std::erase_if(
+                all, [&](const JudgedMeeting &one) { return one.hit->meeting.restitution != e; });
+        }
+        // What is said of masses holds where they differ.
+        const bool isOfMasses = !found.empty() && areEqualsRight();
+        Kinds hits = all;
+        if (!found.empty())
+            std::erase_if(hits, [&](const JudgedMeeting &one) {
+                return isEqual(one.hit->meeting) == isOfMasses;
+            });
+        const auto right = rightOf(hits);
+        if (right == std::ssize(hits) || (!found.empty() && (right == 0 || areMasses(hits))))
+            return;
+        const bool isLaw = !found.empty() && isLawOf(hits);
+        const auto division = isLaw ? std::nullopt : divisionBy(all);
+        if (!found.empty() && !division && !isOfMasses) {
+            LawDeviation &first = found.front();
+            if (!isLaw)
+                first.message = ConditionText::tr("In some hits: %1").arg(first.message);
+            first.message += countOf(hits, std::nullopt);
+            return;
+        }
+        found = {kindsDeviation(all, division)};
+    }
+
+    [[nodiscard]] LawDeviation kindsDeviation(const Kinds &all,
+                                              const std::optional<MeetingDivision> &division) const
+    {
+        const auto wrong = std::find_if(all.begin(), all.end(),
+                                        [](const JudgedMeeting &one) { return !one.isRight; });
+        const PairHit &hit = *wrong->hit;
+        LawDeviation said = responseDeviation(
+            rightOf(all) == 0 ? ConditionText::tr("No hit that was tried comes out right")
+                              : ConditionText::tr("Some hits of the two circles come out wrong"),
+            ConditionText::tr("This one came out wrong: %1.")
+                    .arg(describeMeeting(hit, m_ground, division))
+                + QLatin1Char(' ') + describeHit(hit, goodOf(hit)) + countOf(all, division),
+            hit, Suspect::Formula);
+        said.isConditional = true;
+        return said;
+    }
+
+    static std::ptrdiff_t rightOf(const Kinds &hits)
+    {
+        return std::count_if(hits.begin(), hits.end(),
+                             [](const JudgedMeeting &one) { return one.isRight; });
+    }
+
+    static QString countOf(const Kinds &hits, const std::optional<MeetingDivision> &division)
+    {
+        const auto right = static_cast<int>(rightOf(hits));
+        const QString all = QString::number(hits.size());
+        return QLatin1Char(' ')
+               + (division
+                      ? ConditionText::tr("Of %1 hits tried, %n came out right: %2.", nullptr,
+                                          right)
+                            .arg(all, division->phrase)
+                      : ConditionText::tr("Of %1 hits tried, %n came out right.", nullptr, right)
+                            .arg(all));
+    }
+
+    /// Where else hits come out right, or were not looked at.
+    void addSurroundings()
+    {
+        std::vector<LawDeviation> &found = m_said.deviations;
+        // What is shown in the own scene is about that.
+        if (found.empty() || found.front().isConditional || !found.front().moment.stage.pinned)
+            return;
+        const auto &own = m_own.pair().own;
+        const auto &right = m_right.pair().own;
+        if (own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
+            && leaveAlike(*own, *right))
+            found.front().message +=
+                QLatin1Char(' ')
+                + ConditionText::tr("In your own scene the first hit comes out right.");
+        else if (!m_ground.pair.bothMove)
+            found.front().message +=
+                QLatin1Char(' ')
+                + ConditionText::tr("In all hits that were tried circle 2 was at rest.");
+    }
+
+    /// But for the line of centres, which turns in a step of the own scene.
+    static bool leaveAlike(const PairHit &a, const PairHit &b)
+    {
+        return length(a.left1 - b.left1) + length(a.left2 - b.left2)
+               < 0.02 * (length(a.came1) + length(a.came2));
+    }
+
+    static bool isOfSameCircles(const PairHit &a, const PairHit &b)
+    {
+        return a.meeting.radius1 == b.meeting.radius1 && a.meeting.radius2 == b.meeting.radius2
+               && a.meeting.density1 == b.meeting.density1
+               && a.meeting.density2 == b.meeting.density2
+               && a.meeting.restitution == b.meeting.restitution;
+    }
+
+    static bool isEqual(const Meeting &m)
+    {
+        return m.radius1 == m.radius2 && m.density1 == m.density2;
+    }
+
+    [[nodiscard]] bool areEqualsRight() const
+    {
+        const auto hits = comparableHits(m_own.pair().equals, m_right.pair().equals);
+        return std::all_of(hits.begin(), hits.end(), [](const EqualHit &one) {
+            return isSameAnswer(one.hit.leftParts(), one.right);
+        });
     }
 };
 

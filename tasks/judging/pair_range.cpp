@@ -32,6 +32,31 @@ bool PairRange::isKnown() const
                 return false;
         }
     }
+    return fliesAlike();
+}
+
+bool PairRange::fliesAlike() const
+{
+    const Ground::Pair &asked = m_ground.pair;
+    if (!asked.radii.isVaried() && !asked.densities.isVaried() && asked.restitutions.size() < 2)
+        return true;
+    Preset preset = m_ground.stage();
+    preset.restitution = *std::min_element(asked.restitutions.begin(), asked.restitutions.end());
+    const double speed = slowness(m_h);
+    preset.circles[0].body = {
+        {-1.7, 0.9}, {0.6 * speed, 0.2 * speed}, asked.radii.low, asked.densities.high};
+    preset.circles[1].body = {
+        {1.8, -0.7}, {0.3 * speed, -0.5 * speed}, asked.radii.high, asked.densities.low};
+    Probe probe(m_program, {preset, true});
+    const std::vector<Circle> before = probe.world().circles;
+    // What stops the program is told as that.
+    if (!probe.step())
+        return true;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec2 free = m_flight.at({}, m_h)[i].after(before[i], m_h).velocity;
+        if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-4 * speed)
+            return false;
+    }
     return true;
 }
 

@@ -39,6 +39,10 @@ public:
     /// coming, of all sizes that the step asks about.
     [[nodiscard]] std::vector<PairHit> varied(double restitution) const;
 
+    /// As many, in so short steps that the answers can be read exactly; half of them are fast, and
+    /// one in three has another e.
+    [[nodiscard]] std::vector<PairHit> answers() const;
+
     /// The same meeting in one long run, here and there, early and late.
     /// \param model  what look() shows of it at the start of a run
     [[nodiscard]] std::vector<PairOccasion> again(const PairHit &model) const;
@@ -58,11 +62,15 @@ public:
     [[nodiscard]] std::optional<LaterHit> later(double radius, double density, double e) const;
 
 private:
+    /// Whether circles of other sizes, and with another e, fly like those, too.
+    [[nodiscard]] bool fliesAlike() const;
     /// Lets them meet in the midst of a run. \return false if that comes to nothing
     bool meetIn(LongRun &run, PairOccasion &meeting) const;
     /// The same with circle 2 at x = \p place, m.
     /// \param tooNear  so near the centres come only if nothing is answered in time, m
     void comeBack(MeasuredPair &pair, double place, double tooNear) const;
+    /// What becomes of \p circles, who come nearer, in a run that begins there.
+    [[nodiscard]] PairHit anew(const std::vector<Circle> &circles) const;
     [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/pair_range.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace cradle {
 
 void PairRange::meetAgain(MeasuredPair &pair) const
@@ -29,6 +32,7 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
     const std::vector<Flight> &flights = m_flight.at({}, m_h);
     PairHit hit{.slowness = slowness(m_h)};
     bool was = false;
+    std::vector<Circle> apart = probe.world().circles; // the last state in which they were
     for (int k = 1; k * m_h < 1.3; ++k) {
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
@@ -41,8 +45,39 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
         pair.ownContacts += is && !was ? 1 : 0;
         was = is;
         const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
-        pair.ranThrough |= pair.ownContacts == 1 && !is && nears && length(d) < tooNear;
+        if (pair.ownContacts == 1 && !is && nears && length(d) < tooNear && !pair.ranThrough) {
+            pair.ranThrough = true;
+            pair.ranThroughAnew = anew(apart);
+        }
+        if (nears && length(d) > before[0].radius + before[1].radius)
+            apart = before;
     }
+}
+
+PairHit PairRange::anew(const std::vector<Circle> &circles) const
+{
+    PairHit hit{.slowness = slowness(m_h)};
+    hit.stage = {m_ground.stage(), true};
+    for (std::size_t i = 0; i < 2; ++i)
+        hit.stage.preset.circles[i].body = circles[i];
+    const Vec2 d = circles[1].position - circles[0].position;
+    hit.meeting = {.degrees = std::atan2(d.y, d.x) * 180.0 / std::numbers::pi,
+                   .radius1 = circles[0].radius,
+                   .radius2 = circles[1].radius,
+                   .density1 = circles[0].density,
+                   .density2 = circles[1].density,
+                   .middle = 0.5 * (circles[0].position + circles[1].position)};
+    hit.came1 = circles[0].velocity;
+    hit.came2 = circles[1].velocity;
+    Probe probe(m_program, hit.stage);
+    const std::vector<Flight> &flights = m_flight.at({}, m_h);
+    for (int k = 1; k <= fewSteps && !hit.answered; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            break;
+        note(hit, before, probe, flights, k);
+    }
+    return hit;
 }
 
 std::optional<PairHit> PairRange::twice(const Meeting &meeting) const

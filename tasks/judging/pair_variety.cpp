@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/pair_range.h"
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -59,33 +61,81 @@ PairVelocities comingOf(int k, const Ground::Pair &asked)
     return v;
 }
 
+/// All ways of coming are among the fast ones, and among those with another e.
+constexpr bool isFast(int k)
+{
+    return k / 6 % 2 == 1;
+}
+
+constexpr bool isLossy(int k)
+{
+    return k / 6 % 3 == 2;
+}
+
+/// The \p k-th of many kinds.
+/// \param isSame  the circles are equal
+Meeting variedMeeting(int k, const Ground::Pair &asked, bool isSame)
+{
+    const auto pairOf = [](const Ground::Range &range, int n, int quantity, bool isEqual) {
+        const double one = between(range.low, range.high, spread(n, quantity));
+        const double two = between(range.low, range.high, spread(n, quantity + 1));
+        return range.isVaried() && !isEqual ? std::pair(one, two) : std::pair(one, one);
+    };
+    Meeting m;
+    // Hardly to one side differs hardly from the other; some are exactly level, or upright.
+    const double off = std::round(10.0 + (k % 3 == 0 ? 70.0 : 12.0) * spread(k, 4));
+    m.degrees = 90.0 * std::floor(4.0 * spread(k, 11))
+                + (k % 9 == 4   ? 0.0
+                   : k % 3 == 1 ? 90.0 - off
+                                : off);
+    std::tie(m.radius1, m.radius2) = pairOf(asked.radii, k, 5, isSame);
+    std::tie(m.density1, m.density2) = pairOf(asked.densities, k, 7, isSame || k % 7 < 2);
+    m.velocities = comingOf(k, asked);
+    m.middle = {between(-2.4, 2.4, spread(k, 9)), between(-2.4, 2.4, spread(k, 10))};
+    return m;
+}
+
+constexpr int meetings = 36;
+
 } // namespace
 
 std::vector<PairHit> PairRange::varied(double restitution) const
 {
-    constexpr int meetings = 36;
     constexpr int mostSteps = 40;
-    const Ground::Pair &asked = m_ground.pair;
-    const auto pairOf = [](const Ground::Range &range, int k, int quantity, bool isEqual) {
-        const double one = between(range.low, range.high, spread(k, quantity));
-        const double two = between(range.low, range.high, spread(k, quantity + 1));
-        return range.isVaried() && !isEqual ? std::pair(one, two) : std::pair(one, one);
-    };
     std::vector<PairHit> hits;
     for (int k = 0; k < meetings; ++k) {
-        // Hardly to one side differs hardly from the other.
-        Meeting m;
-        const double off = std::round(10.0 + (k % 3 == 0 ? 70.0 : 12.0) * spread(k, 4));
-        m.degrees = 90.0 * std::floor(4.0 * spread(k, 11)) + (k % 3 == 1 ? 90.0 - off : off);
-        std::tie(m.radius1, m.radius2) = pairOf(asked.radii, k, 5, k % 5 == 0);
-        std::tie(m.density1, m.density2) = pairOf(asked.densities, k, 7, k % 7 < 2);
+        Meeting m = variedMeeting(k, m_ground.pair, k % 5 == 0);
         m.restitution = restitution;
-        m.velocities = comingOf(k, asked);
-        m.middle = {between(-2.3, 2.3, spread(k, 9)), between(-2.3, 2.3, spread(k, 10))};
         const double way = m.closing() * m_h;
         hits.push_back(meet(m, m.sum() + 2.4 * way, m.sum(), m_h, mostSteps));
     }
     return hits;
+}
+
+std::vector<PairHit> PairRange::answers() const
+{
+    const Ground::Pair &asked = m_ground.pair;
+    const std::vector<double> &losses = asked.restitutions;
+    const double greatest = *std::max_element(losses.begin(), losses.end());
+    std::vector<PairHit> hits;
+    for (int k = 0; k < meetings; ++k) {
+        Meeting m = variedMeeting(k, asked, !asked.masses || k % 5 < 2);
+        m.restitution = isLossy(k) ? losses[static_cast<std::size_t>(k) % losses.size()] : greatest;
+        if (isFast(k))
+            m.velocities = faster(m.velocities, 3.0);
+        const double way = m.closing() * shortStep;
+        hits.push_back(meet(m, m.sum() + 2.4 * way, m.sum(), shortStep, fewSteps));
+    }
+    return hits;
+}
+
+std::vector<PairHit> measurePairAnswers(const QString *program, const Ground &ground,
+                                        const MeasuredFlight &flight)
+{
+    if (!program || !ground.pair.asked || ground.flights.size() < 2)
+        return {};
+    const PairRange range(program, ground, flight);
+    return range.isKnown() ? range.answers() : std::vector<PairHit>{};
 }
 
 } // namespace cradle

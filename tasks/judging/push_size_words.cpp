@@ -115,9 +115,10 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
         const PairHit &theirs = right.contacts[i];
         if (mine.meeting.radius1 != mine.meeting.radius2 || !mine.isMet() || !theirs.isMet())
             continue;
-        // The line of centres turns in such a step, which blurs the numbers.
+        // The line of centres turns in such a step, which blurs the numbers; what a timestep that
+        // is more than a hundred times as long makes of the push is more.
         const double other = factorOf(mine, theirs);
-        if (isAlike(other, factor, 0.1))
+        if (std::abs(other) < 3.0 * std::abs(factor) && std::abs(factor) < 3.0 * std::abs(other))
             continue;
         return {ResponseText::tr("The push has a wrong size that depends on the timestep"),
                 QLatin1Char(' ')

@@ -217,6 +217,9 @@ private:
     /// What no other law tells. They may part as fast as they should: that is the mean of both.
     void addOdd()
     {
+        // Whoever is hit again while they part has more than one answer in it.
+        if (m_own.twice && !m_right.twice)
+            return;
         const bool isRebound = std::all_of(m_all.begin(), m_all.end(), [](const Rebound &r) {
             return std::abs(0.5 * (r.first + r.second) - r.e) < blur;
         });
@@ -225,7 +228,20 @@ private:
                 ReboundText::tr("The circles part e times as fast as they met, as they should; but "
                                 "what both have together, their momentum, changes, too."));
         else
-            add(ReboundText::tr("e does not act on the rebound as it should"));
+            add(ReboundText::tr("e does not act on the rebound as it should"), rightOnes());
+    }
+
+    /// With which e it comes out right; empty if with none of those below 1.
+    [[nodiscard]] QString rightOnes() const
+    {
+        QStringList all;
+        for (const Rebound &r : m_all) {
+            if (std::abs(r.first - r.e) < blur && std::abs(r.second - r.e) < blur)
+                all.append(brief(r.e));
+        }
+        return all.isEmpty() ? QString()
+                             : ReboundText::tr("With e = %1 it comes out right.")
+                                   .arg(all.join(QStringLiteral(", ")));
     }
 
     void findNumbers()

@@ -56,6 +56,21 @@ private:
                && holds(m_own.rebounds, m_right.rebounds);
     }
 
+    /// Whether two equal circles of another size follow it, too: one size fits many a factor.
+    [[nodiscard]] bool holdsForSizes(const ResponseLaw &law) const
+    {
+        std::vector<EqualHit> hits;
+        for (const EqualHit &one : comparableHits(m_own.radii, m_right.radii)) {
+            const Meeting &m = one.hit.meeting;
+            if (m.radius1 == m.radius2 && m.density1 == m.density2)
+                hits.push_back(one);
+        }
+        if (m_own.larger && m_right.larger && m_own.larger->isMet() && m_own.larger->isAligned()
+            && m_right.larger->isMet())
+            hits.push_back({*m_own.larger, m_own.larger->cameParts(), m_right.larger->leftParts()});
+        return hits.empty() || follows(law, hits);
+    }
+
     void findLaw(bool explained)
     {
         const std::vector<EqualHit> hits = comparableHits(m_own.equals, m_right.equals);
@@ -91,7 +106,8 @@ private:
             return;
         }
         for (const ResponseLaw &law : knownResponses()) {
-            if (!follows(law, hits) || (law.isForEvery && !holdsEverywhere(law)))
+            if (!follows(law, hits) || !holdsForSizes(law)
+                || (law.isForEvery && !holdsEverywhere(law)))
                 continue;
             add(law.headline, describeEquals(hit, right) + QLatin1Char(' ') + law.body, hit);
             m_reading.law = law;

@@ -31,7 +31,8 @@ public:
             for (LawDeviation &mass : massDeviations(m_own, m_right))
                 m_found.push_back(std::move(mass));
         }
-        if (m_equal.isRight && m_own.later && m_right.later && m_own.later->isFirstOdd()) {
+        if (m_equal.isRight && m_own.later && m_right.later && m_own.later->isFirstOdd()
+            && isAnyFirstOdd()) {
             take(lateRestitution(m_own));
         } else if (!isWhole(m_own.rebounds, m_right.rebounds)) {
             for (LawDeviation &deviation : rebound.deviations)
@@ -55,6 +56,17 @@ private:
     {
         if (deviation)
             m_found.push_back(std::move(*deviation));
+    }
+
+    /// Whether other first hits with the e of that one come out with another, too: else something
+    /// else is odd about it.
+    [[nodiscard]] bool isAnyFirstOdd() const
+    {
+        const double e = m_own.later->first.meeting.restitution;
+        return std::any_of(m_own.rebounds.begin(), m_own.rebounds.end(), [&](const PairHit &hit) {
+            return hit.isMet() && hit.meeting.restitution == e
+                   && std::abs(hit.rebound() - e) > 0.03;
+        });
     }
 
     /// Whether the law that was found explains these hits, too.
