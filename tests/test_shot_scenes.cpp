@@ -22,6 +22,7 @@ class TestShotScenes : public QObject
 private slots:
     void directionsShootEachCircleClearOfTheOther();
     void whoDriftsLeavesTheWallOfTheShot();
+    void whoIsShotHasQuiteAnotherRadius();
     void shotsBeginAtUnknownPlaces();
     void everyShotComesToAWallInTime_data();
     void everyShotComesToAWallInTime();
@@ -138,6 +139,25 @@ void TestShotScenes::whoDriftsLeavesTheWallOfTheShot()
             for (const auto &wall : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
                 QVERIFY(left.contains({shot, wall}));
     }
+}
+
+/// A wall that takes the radius of the other circle turns by more than a step too early or late.
+void TestShotScenes::whoIsShotHasQuiteAnotherRadius()
+{
+    CheckSpec check = shots(QStringLiteral("directions"));
+    check.scene.insert(QStringLiteral("radii"), QJsonArray{0.12, 0.45});
+    std::set<std::pair<std::size_t, bool>> seen;
+    for (qint64 seed = 1; seed <= 10; ++seed) {
+        for (const Variant &variant : makeVariants(two(), check, seed)) {
+            const std::size_t shot = shotOf(variant);
+            const double own = variant.preset.circles[shot].body.radius;
+            const double other = variant.preset.circles[1 - shot].body.radius;
+            QVERIFY2(std::abs(own - other) > 4.0 / 30.0, qPrintable(variant.name));
+            QVERIFY(std::min(own, other) >= 0.12 && std::max(own, other) <= 0.45);
+            seen.insert({shot, own > other});
+        }
+    }
+    QCOMPARE(seen.size(), std::size_t{4});
 }
 
 void TestShotScenes::shotsBeginAtUnknownPlaces()

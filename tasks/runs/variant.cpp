@@ -145,11 +145,24 @@ private:
         return i == m_spec.count / 2 || i == m_spec.count / 4;
     }
 
+    /// Brings the radius of \p shot to one end of their range and those of the others to the other
+    /// end, by more than a step of any shot is long: a wall that takes the wrong one is found out.
+    void partRadii(Preset &preset, std::size_t shot, bool isLarge) const
+    {
+        const Vec2 ends = m_spec.radii;
+        for (std::size_t k = 0; k < preset.circles.size(); ++k) {
+            double &radius = preset.circles[k].body.radius;
+            const double end = (k == shot) == isLarge ? ends.y : ends.x;
+            radius = end + 0.25 * (radius - end);
+        }
+    }
+
     void addShot(int i, double degrees)
     {
         for (const int circle : m_spec.circles) {
             Preset preset = stage(i, needed());
             const auto shot = static_cast<std::size_t>(circle);
+            partRadii(preset, shot, i % 2 == 0);
             // The first, from the very middle and fast, is one that a program could know.
             const bool creeps = doesCreep(i) && preset.gravity == Vec2{};
             const double speed = range(creeps ? creepingSpeeds : m_spec.speeds);
