@@ -271,11 +271,12 @@ private:
                 + ConditionText::tr("In all hits that were tried circle 2 was at rest.");
     }
 
-    /// But for the line of centres, which turns in a step of the own scene.
+    /// But for the line of centres, which turns in a step of the own scene; by how fast they meet,
+    /// for they may fall together.
     static bool leaveAlike(const PairHit &a, const PairHit &b)
     {
         return length(a.left1 - b.left1) + length(a.left2 - b.left2)
-               < 0.02 * (length(a.came1) + length(a.came2));
+               < 0.04 * length(a.came1 - a.came2);
     }
 
     static bool isOfSameCircles(const PairHit &a, const PairHit &b)
