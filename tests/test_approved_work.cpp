@@ -119,6 +119,9 @@ QString TestApprovedWork::commits() const
 
 void TestApprovedWork::doingsAreAsApproved()
 {
+#ifdef CRADLE_SANITIZED
+    QSKIP("which of two windows writes last depends on how long a doing takes");
+#endif
     takeNewFolder();
     QString all;
     Workspace work(path("w"));

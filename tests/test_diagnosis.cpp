@@ -232,7 +232,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
                           "c.position = vec(wrapped(c.position.x), wrapped(c.position.y))");
         });
     row("L42T2", "turned by a right angle",
-        "Hits at the walls change the part of circle 1 along the wall", [](OtherForm &f) {
+        "At the walls the parts of the velocity of circle 1 are mixed up", [](OtherForm &f) {
             f.walls =
                 lab("local room = square.half_width - c.radius if math.abs(c.position.x) > room "
                     "or math.abs(c.position.y) > room then "

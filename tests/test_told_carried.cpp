@@ -94,7 +94,7 @@ void TestToldCarried::velocityOfAnotherIsTold()
                             "circle1.velocity = v + gravity * h "
                             "circle2.velocity = v + gravity * h end"),
              "The velocity of circle 2 is taken from circle 1");
-    const auto n = numbersIn(said, "one step later it has what circle # had, and what gravity "
+    const auto n = numbersIn(said, "it has one step later what circle # had, and what gravity "
                                    "adds: started with (#, #) m/s, it has (#, #) m/s.");
     QVERIFY2(n.size() == 5, qPrintable(said));
     QCOMPARE(n[0], 1.0);

@@ -70,7 +70,7 @@ void TestWallCorners::finding_data()
                          "if (p.y - r < square.bottom or p.y + r > square.top) and "
                          "p.x * v.y > 0 then turned = vec(turned.x, -turned.y) end "
                          "if turned ~= v then c.position, c.velocity = old, turned end")
-        << "Hits at the floor and ceiling turn circle 1 round only at times";
+        << "Some hits of circle 1 at the floor and ceiling are not answered";
     QTest::newRow("no ceiling under twice the gravity")
         << "L42T3"
         << program("2 * gravity", "local turned = v "
