@@ -201,6 +201,7 @@ void TestContactLaw::hitsRightOnOneSideOnlySaySo_data()
     angle("angle of a ratio", "math.atan(d.y / d.x)", "circle 2 is to the right of circle 1");
     angle("and turned by half a circle", "math.atan(d.y / d.x) + math.pi",
           "circle 2 is to the left of circle 1");
+    angle("angle by its cosine", "math.acos(d.x / d:length())", "circle 2 is above circle 1");
     QTest::newRow("distance without its sign") << "d:normalized()"
                                                << "d:length() < reach and d.x > 0"
                                                << "circle 2 is to the right of circle 1";

@@ -27,6 +27,7 @@ void TestLineAtFault::findingMarksTheLine_data()
     row("speed of one circle for both", objects, "dot(a.velocity() - b.velocity(), n)",
         "dot(a.velocity(), n)");
     row("angle of a ratio", angles, "math.atan(d.y, d.x)", "math.atan(d.y / d.x)");
+    row("angle by its cosine", angles, "math.atan(d.y, d.x)", "math.acos(d.x / d:length())");
     row("turned back the wrong way", angles, "turned(v, -f)", "turned(v, f)");
     row("own frame forgotten, first circle", frame, "a.velocity = base + rel - push",
         "a.velocity = rel - push");

@@ -56,6 +56,7 @@ void TestLineOfQuestion::findingMarksTheLine_data()
     row("only those that go to the right", flat, "if u > w then", "if u > w and avx > 0 then");
     row("setter: only in the upper half", objects, "if u <= 0 then",
         "if u <= 0 or a.place().y < 0 then");
+    row("distance of another formula", flat, "dx * dx + dy * dy)", "dx * dx)");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
 }

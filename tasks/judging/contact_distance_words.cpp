@@ -38,6 +38,8 @@ private:
             if (!test.body.contains(QLatin1String("%2")))
                 body += QLatin1Char(' ') + seen(hit);
             add(test.headline, body, hit, Suspect::Reach);
+            if (test.isOfParts)
+                m_found.back().topic = Topic::Distance;
             return;
         }
         findOtherDistance(hit);

@@ -53,13 +53,13 @@ std::vector<ContactTest> contactTests()
                          "centres are %2 m apart. A distance is the root of the sum of the "
                          "squares.")},
         {[](const PairHit &h) { return h.meeting.sum() / least(h, [](Vec2 n) { return n.x; }); },
-         ContactText::tr("The circles are compared in x alone"), alone},
+         ContactText::tr("The circles are compared in x alone"), alone, true},
         {[](const PairHit &h) { return h.meeting.sum() / least(h, [](Vec2 n) { return n.y; }); },
-         ContactText::tr("The circles are compared in y alone"), alone},
+         ContactText::tr("The circles are compared in y alone"), alone, true},
         {[](const PairHit &h) {
              return h.meeting.sum() / least(h, [](Vec2 n) { return n.x + n.y; });
          },
-         ContactText::tr("|Δx + Δy| is not the distance"), alone},
+         ContactText::tr("|Δx + Δy| is not the distance"), alone, true},
         {[](const PairHit &h) { return std::sqrt(h.meeting.sum()); },
          ContactText::tr("A squared distance is compared with a length"),
          ContactText::tr("They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a "

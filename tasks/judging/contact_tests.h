@@ -19,6 +19,7 @@ struct ContactTest {
     std::function<double(const PairHit &)> distance; ///< at which it says that they touch, m
     QString headline;
     QString body;
+    bool isOfParts = false; ///< it is the distance that is wrong, made of parts of the difference
 };
 
 /// Those that students write.
