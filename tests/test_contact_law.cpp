@@ -24,6 +24,7 @@ private slots:
     void wrongMotionIsNoFaultOfTheHits_data();
     void wrongMotionIsNoFaultOfTheHits();
     void returnFromTheWallTellsMemoryFromDirection();
+    void hitsAnsweredRightlyOnOneSideOnlySaySo();
     void hitsRightOnOneSideOnlySaySo_data();
     void hitsRightOnOneSideOnlySaySo();
     void hitsOfOneWayOfMovingSaySo();
@@ -133,6 +134,8 @@ void TestContactLaw::faultIsNamed_data()
          "The circles answer when they part, not when they meet");
     rows("circle 1 only", {.approach = text("p.velocity:dot(n) > 0")},
          "Some hits of the two circles are not answered");
+    rows("circle 2 only", {.approach = text("q.velocity:dot(n) < 0")},
+         "Some hits of the two circles are not answered");
 }
 
 void TestContactLaw::faultIsNamed()
@@ -187,6 +190,24 @@ void TestContactLaw::returnFromTheWallTellsMemoryFromDirection()
     QCOMPARE(step.contact(written(open, structures[0])), QStringList());
 }
 
+/// An angle by its cosine is right above circle 1 only: every hit is answered, some wrongly.
+void TestContactLaw::hitsAnsweredRightlyOnOneSideOnlySaySo()
+{
+    const QString normal = QStringLiteral("(function() local f = math.acos(d.x / d:length()) "
+                                          "return vec(math.cos(f), math.sin(f)) end)()");
+    const Task &step = task(QStringLiteral("L42T12"));
+    for (const Structure &structure : structures) {
+        const LawProgram program =
+            withHit(hitOf(hitWays[0], {.normal = normal, .mass = QStringLiteral("1")}));
+        const auto report =
+            judgeTask(m_lab, step, Submission(step.preset, written(program, structure)), 1);
+        QVERIFY(report && !report->findings.empty());
+        const QString said = report->findings.back().message; // the start is not that of the step
+        QVERIFY2(said.contains(text(": those where circle 2 is above circle 1, no others.")),
+                 qPrintable(said));
+    }
+}
+
 void TestContactLaw::hitsRightOnOneSideOnlySaySo_data()
 {
     QTest::addColumn<QString>("normal");
@@ -201,7 +222,6 @@ void TestContactLaw::hitsRightOnOneSideOnlySaySo_data()
     angle("angle of a ratio", "math.atan(d.y / d.x)", "circle 2 is to the right of circle 1");
     angle("and turned by half a circle", "math.atan(d.y / d.x) + math.pi",
           "circle 2 is to the left of circle 1");
-    angle("angle by its cosine", "math.acos(d.x / d:length())", "circle 2 is above circle 1");
     QTest::newRow("distance without its sign") << "d:normalized()"
                                                << "d:length() < reach and d.x > 0"
                                                << "circle 2 is to the right of circle 1";

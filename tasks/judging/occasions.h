@@ -88,6 +88,8 @@ struct Condition {
         return kind == Kind::Above || kind == Kind::Below || kind == Kind::LeftOf
                || kind == Kind::RightOf;
     }
+    /// What was before it, or how long the run has lasted: nothing of where and how fast.
+    [[nodiscard]] bool isOfHistory() const { return kind < Kind::Above; }
 };
 
 /// All that divides the right ones of \p occasions from the others: of several none is known to be

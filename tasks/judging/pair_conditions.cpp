@@ -53,6 +53,14 @@ private:
         return !varied.empty() && (!division || division->kind != MeetingDivision::Kind::Place);
     }
 
+    /// Whether the hits of many kinds are divided by where the other circle is: few tries of a long
+    /// run may be divided by their speeds as well.
+    [[nodiscard]] bool isOfSide() const
+    {
+        const auto division = divisionBy(kinds());
+        return division && division->kind == MeetingDivision::Kind::Side;
+    }
+
     /// \return whether something is said
     bool judgePair(Aspect aspect)
     {
@@ -72,7 +80,8 @@ private:
         }
         const auto condition = conditionOf(series.when);
         if (!condition || isSaid(condition->kind)
-            || (aspect == Aspect::Contact && condition->isOfPlace() && isOfOther()))
+            || (aspect == Aspect::Contact && condition->isOfPlace() && isOfOther())
+            || (aspect == Aspect::Response && !condition->isOfHistory() && isOfSide()))
             return false;
         const auto &[seen, good] = series.firstWrong();
         const bool isContact = aspect == Aspect::Contact;
@@ -229,6 +238,8 @@ private:
                 + QLatin1Char(' ') + describeHit(hit, goodOf(hit)) + countOf(all, division),
             hit, Suspect::Formula);
         said.isConditional = true;
+        if (division && division->kind == MeetingDivision::Kind::Side)
+            said.topic = Topic::Direction;
         return said;
     }
 
