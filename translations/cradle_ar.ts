@@ -4370,6 +4370,42 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
         <source>With e = %1 it comes out right.</source>
         <translation>مع ⁦e = %1⁩ تصحّ النتيجة.</translation>
     </message>
+    <message>
+        <source>A step exchanges x and y in the place of %who</source>
+        <translation>الخطوة تبادل بين x وy في موضع %who</translation>
+    </message>
+    <message>
+        <source>A step takes y for x in the place of %who</source>
+        <translation>الخطوة تأخذ y مكان x في موضع %who</translation>
+    </message>
+    <message>
+        <source>A step takes x for y in the place of %who</source>
+        <translation>الخطوة تأخذ x مكان y في موضع %who</translation>
+    </message>
+    <message>
+        <source>Each part of the place goes on from itself: look at which part stands where.</source>
+        <translation>كل مركّبة من الموضع تنطلق من نفسها: انظر أي مركّبة تقف في أي مكان.</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same place</source>
+        <translation>كل خطوة تضع %who في الموضع نفسه</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same x</source>
+        <translation>كل خطوة تضع %who عند قيمة x نفسها</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same y</source>
+        <translation>كل خطوة تضع %who عند قيمة y نفسها</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes there, and stays. A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
+        <translation>من كل بداية جُرّبت تصل الدائرة إلى هناك وتبقى. الخطوة *تضيف* مسافة إلى الموضع القديم: انظر إلى الأسطر التي تضعها هناك، وإلى ما يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
+        <translation>من بداية عند ⁦%1 m⁩ بسرعة ⁦%2 m/s⁩ تكون الدائرة بعد خطوة واحدة من ⁦%4 s⁩ عند ⁦%3 m⁩.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

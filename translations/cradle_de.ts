@@ -4318,6 +4318,42 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <source>With e = %1 it comes out right.</source>
         <translation>Mit e = %1 geht es richtig aus.</translation>
     </message>
+    <message>
+        <source>A step exchanges x and y in the place of %who</source>
+        <translation>Ein Schritt vertauscht für %who x und y des Ortes</translation>
+    </message>
+    <message>
+        <source>A step takes y for x in the place of %who</source>
+        <translation>Ein Schritt nimmt für %who das y des Ortes als x</translation>
+    </message>
+    <message>
+        <source>A step takes x for y in the place of %who</source>
+        <translation>Ein Schritt nimmt für %who das x des Ortes als y</translation>
+    </message>
+    <message>
+        <source>Each part of the place goes on from itself: look at which part stands where.</source>
+        <translation>Jeder Teil des Ortes geht von sich selbst aus: Sieh nach, welcher Teil wo steht.</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same place</source>
+        <translation>Jeder Schritt setzt %who an denselben Ort</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same x</source>
+        <translation>Jeder Schritt setzt %who auf dasselbe x</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same y</source>
+        <translation>Jeder Schritt setzt %who auf dasselbe y</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes there, and stays. A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
+        <translation>Nach jedem versuchten Start kommt der Kreis dorthin und bleibt. Ein Schritt *addiert* einen Weg zum alten Ort: Sieh dir die Zeilen an, die ihn dorthin setzen, und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
+        <translation>Bei %1 m mit %2 m/s gestartet, ist der Kreis einen Schritt von %4 s später bei %3 m.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

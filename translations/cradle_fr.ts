@@ -4318,6 +4318,42 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
         <source>With e = %1 it comes out right.</source>
         <translation>Avec e = %1, le résultat est bon.</translation>
     </message>
+    <message>
+        <source>A step exchanges x and y in the place of %who</source>
+        <translation>Un pas échange x et y de la position, pour %who</translation>
+    </message>
+    <message>
+        <source>A step takes y for x in the place of %who</source>
+        <translation>Un pas prend y pour x dans la position, pour %who</translation>
+    </message>
+    <message>
+        <source>A step takes x for y in the place of %who</source>
+        <translation>Un pas prend x pour y dans la position, pour %who</translation>
+    </message>
+    <message>
+        <source>Each part of the place goes on from itself: look at which part stands where.</source>
+        <translation>Chaque composante de la position part d&apos;elle-même&#xa0;: regardez laquelle se trouve où.</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same place</source>
+        <translation>Chaque pas met %who à la même position</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same x</source>
+        <translation>Chaque pas met %who au même x</translation>
+    </message>
+    <message>
+        <source>Every step puts %who at the same y</source>
+        <translation>Chaque pas met %who au même y</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes there, and stays. A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
+        <translation>Depuis chaque départ essayé, le cercle y arrive et y reste. Un pas *ajoute* un chemin à l&apos;ancienne position&#xa0;: regardez les lignes qui l&apos;y mettent, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
+        <translation>Parti de %1 m avec %2 m/s, le cercle est à %3 m un pas de %4 s plus tard.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

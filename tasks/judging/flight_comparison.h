@@ -130,6 +130,10 @@ protected:
 /// Whether velocity and place do not follow from those before, or not from the circle's own.
 [[nodiscard]] std::optional<FlightSaid> carriedSaid(const FlightComparison &comparison);
 
+/// Whether a part of the place after a step is that of the other part, or the same wherever the
+/// circle started.
+[[nodiscard]] std::optional<FlightSaid> placeSaid(const FlightComparison &comparison);
+
 /// Whether it moves otherwise while the others are elsewhere.
 [[nodiscard]] std::optional<FlightSaid> othersSaid(const FlightComparison &comparison);
 

@@ -25,6 +25,9 @@ struct Flight {
     };
     /// A part of the velocity that moves the other part of the place.
     enum class Crossing { None, XMovesY, YMovesX, Exchanged };
+    /// What a part of the place after a step follows: itself before it, the other part, or nothing,
+    /// so that it is the same wherever the circle started; Unclear where it is none of these.
+    enum class Follows { Itself, Other, Nothing, Unclear };
 
     Vec2 way{1.0, 1.0};   ///< share of v h that the position changes by; 1 is right
     Vec2 drift{};         ///< m in a step, what the acceleration adds
@@ -35,8 +38,12 @@ struct Flight {
     bool resets = false;  ///< the velocity after a step does not depend on that before
     bool resetsX = false; ///< the same of one part of the velocity alone
     bool resetsY = false;
-    double carried = 1.0;      ///< share of the old place that is in the new one; 1 is right
-    bool jumps = false;        ///< the place after a step does not depend on that before
+    double carried = 1.0; ///< share of the old place that is in the new one; 1 is right
+    bool jumps = false;   ///< the place after a step does not depend on that before
+    Follows xFollows = Follows::Itself; ///< how the first step goes on from the x of the start
+    Follows yFollows = Follows::Itself;
+    Vec2 startedAt{};          ///< for words about it, m
+    Vec2 putAt{};              ///< where it was one step later, m
     int leader = -1;           ///< the circle whose velocity moves it, if it is not its own
     bool isFromLeader = false; ///< it goes on from where that one is
     int borrows = -1;          ///< the circle whose velocity it has after a step, and not its own

@@ -90,7 +90,8 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
                 if (!isAlike(a.way, b.way) || !isAlike(a.acceleration, b.acceleration)
                     || !isAlike(a.growth, b.growth) || !isAlike(a.pull, b.pull)
                     || !isAlike(a.drift / (h * h), b.drift / (h * h)) || a.jumps != b.jumps
-                    || a.resets != b.resets || a.resetsX != b.resetsX || a.resetsY != b.resetsY
+                    || a.xFollows != b.xFollows || a.yFollows != b.yFollows || a.resets != b.resets
+                    || a.resetsX != b.resetsX || a.resetsY != b.resetsY
                     || !isAlike(a.carried, b.carried) || a.leader != b.leader
                     || a.follows != b.follows || a.borrows != b.borrows || a.onlySlow != b.onlySlow
                     || a.isTimeless != b.isTimeless || a.leap.has_value() != b.leap.has_value()

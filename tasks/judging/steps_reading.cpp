@@ -50,6 +50,10 @@ public:
             flight.way = flight.growth = {};
         readPartResets(flight);
         flight.carried = carried();
+        flight.xFollows = followed(&Vec2::x, &Vec2::y);
+        flight.yFollows = followed(&Vec2::y, &Vec2::x);
+        flight.startedAt = m_first.start[m_i].position;
+        flight.putAt = m_first.before[m_i].position;
         const Vec2 v0 = m_rest.before[m_i].velocity;
         flight.drift = way(m_rest) - m_h * Vec2{flight.way.x * v0.x, flight.way.y * v0.y};
         flight.acceleration =
@@ -63,6 +67,7 @@ public:
         flight.isTurnLinear = isClose(next.velocity, m_second.after[m_i].velocity);
         flight.isKnown = !flight.resets && !flight.resetsX && !flight.resetsY && !flight.jumps
                          && std::abs(flight.carried - 1.0) < 1e-6 && flight.pull == Vec2{}
+                         && !isOfNothing(flight.xFollows) && !isOfNothing(flight.yFollows)
                          && flight.isWayLinear && flight.isTurnLinear;
         flight.seen = {seen(m_first), seen(m_second)};
         flight.fromRest = seen(m_rest);
@@ -101,6 +106,32 @@ private:
         const Vec2 start = m_shifted.start[m_i].position - m_rest.start[m_i].position;
         const Vec2 share{apart.x / start.x, apart.y / start.y};
         return std::abs(share.x - share.y) < 1e-6 ? share.x : 1.0;
+    }
+
+    /// What \p part of the place goes on from in the first step, where \p other is the other one.
+    [[nodiscard]] Flight::Follows followed(double Vec2::*part, double Vec2::*other) const
+    {
+        using Follows = Flight::Follows;
+        const Vec2 start = m_shifted.start[m_i].position - m_rest.start[m_i].position;
+        const double apart =
+            m_shifted.before[m_i].position.*part - m_rest.before[m_i].position.*part;
+        if (std::abs(apart - start.*part) <= 1e-8)
+            return Follows::Itself;
+        if (std::abs(apart - start.*other) <= 1e-8)
+            return Follows::Other;
+        const double there = m_rest.before[m_i].position.*part;
+        const auto stays = [&](const Steps &s) {
+            return std::abs(s.before[m_i].position.*part - there) <= 1e-8
+                   && std::abs(s.after[m_i].position.*part - there) <= 1e-8;
+        };
+        return stays(m_rest) && stays(m_first) && stays(m_second) && stays(m_shifted)
+                   ? Follows::Nothing
+                   : Follows::Unclear;
+    }
+
+    static bool isOfNothing(Flight::Follows f)
+    {
+        return f == Flight::Follows::Nothing || f == Flight::Follows::Other;
     }
 
     [[nodiscard]] Vec2 way(const Steps &s) const
