@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/world/integrator.h"
+#include "model/continuous/crowd.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <vector>
 
 namespace cradle {
 
@@ -15,7 +13,7 @@ namespace cradle {
 class StepGroups
 {
 public:
-    using Slot = std::uint32_t;
+    using Slot = Crowd::Slot;
 
     struct Member {
         Slot slot = 0;
@@ -33,11 +31,15 @@ public:
     /// For \p circles of them, none of which is a member.
     void start(std::size_t circles)
     {
-        m_members.clear();
+        clear();
         m_places.assign(circles, 0);
     }
     /// Another step begins.
-    void clear() { m_members.clear(); }
+    void clear()
+    {
+        m_members.clear();
+        m_fastest = 0.0;
+    }
 
     [[nodiscard]] bool has(Slot slot) const
     {
@@ -74,6 +76,11 @@ public:
         kept.size += m_members[std::max(first, second)].size;
     }
 
+    /// A member has this speed, m/s.
+    void note(double speed) { m_fastest = std::max(m_fastest, speed); }
+    /// The fastest that was noted, m/s.
+    [[nodiscard]] double fastest() const { return m_fastest; }
+
     [[nodiscard]] std::uint32_t size() const
     {
         return static_cast<std::uint32_t>(m_members.size());
@@ -86,6 +93,7 @@ public:
 private:
     std::vector<Member> m_members;
     std::vector<std::uint32_t> m_places; ///< of each slot in m_members, where it is there
+    double m_fastest = 0.0;
 };
 
 } // namespace cradle
