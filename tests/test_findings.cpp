@@ -25,6 +25,7 @@ private slots:
     void mistakeOfOneAspectDoesNotExplainAnother();
     void programThatStoppedHasNoWrongStart();
     void wrongStartNamesTheLineThatSetsIt();
+    void restitutionOfTheOwnSceneIsNamedBesideOtherFaults();
     void crowdHasRoomWhereItIsMeasured();
 
 private:
@@ -231,6 +232,29 @@ void TestFindings::wrongStartNamesTheLineThatSetsIt()
     // Another variable of that name is set instead.
     QCOMPARE(line("L42T3", solution("L42T3"), "gravity = vec(", "local gravity = vec("), 0);
     QCOMPARE(line("L42T16", solution("L42T16"), "restitution = 0.5", "local restitution = 0.5"), 0);
+}
+
+/// Also where the check that asks for it passes by the other fault.
+void TestFindings::restitutionOfTheOwnSceneIsNamedBesideOtherFaults()
+{
+    const auto said = [&](const char *from, const char *to) {
+        OtherForm form = otherForm(QStringLiteral("L42T16"));
+        edit(form.start, "restitution = 0.6", "local other = 0.6");
+        if (from)
+            edit(form.answer, from, to);
+        return headlinesOf(told(QStringLiteral("L42T16"), form));
+    };
+    const QString start = text("e = 1 is not the value that is asked for");
+    QCOMPARE(said(nullptr, nullptr), QStringList(start));
+    QCOMPARE(said("1 + restitution", "1 + restitution ^ 2"),
+             (QStringList{start, text("e is squared in the hit of two circles")}));
+    QCOMPARE(said("1 + restitution", "1 + 0.7").first(), start);
+    // Any e below 1 loses energy.
+    OtherForm form = otherForm(QStringLiteral("L42T16"));
+    edit(form.start, "restitution = 0.6", "restitution = 0.4");
+    edit(form.answer, "1 + restitution", "1 + restitution ^ 2");
+    QCOMPARE(headlinesOf(told(QStringLiteral("L42T16"), form)),
+             QStringList(text("e is squared in the hit of two circles")));
 }
 
 /// Checks may look at many circles; none may lie on another when flights are measured.

@@ -24,6 +24,10 @@ private slots:
     void reboundOfAHitIsTold();
     void pushOnOneAloneIsTold_data();
     void pushOnOneAloneIsTold();
+    void massesAreToldBesideAnotherFault_data();
+    void massesAreToldBesideAnotherFault();
+    void wholeVelocityOfOneTimesEIsTold_data();
+    void wholeVelocityOfOneTimesEIsTold();
 
 private:
     using Law = std::function<double(double)>; ///< of e
@@ -207,6 +211,94 @@ void TestToldHits::pushOnOneAloneIsTold()
     QCOMPARE(std::abs(n[3] - n[5]) < 0.02, right == 2);
     // The wrong one gets the push of the right one.
     QVERIFY(std::abs((n[0] - n[2]) - (n[3] - n[1])) < 0.02);
+}
+
+void TestToldHits::massesAreToldBesideAnotherFault_data()
+{
+    QTest::addColumn<QString>("mass");
+    QTest::addColumn<QString>("answer");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<int>("circle"); // that tells; 0: nothing is said of masses
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("density"); // exponents
+    const QString disc = QStringLiteral("c.density * c.radius ^ 2");
+    const QString half = QStringLiteral("p.velocity = p.velocity - 0.5 * j / m1 * n "
+                                        "q.velocity = q.velocity + j / m2 * n");
+    QTest::newRow("half a push") << disc << half << "The mass grows with r to the power of 2" << 2
+                                 << 2.0 << 1.0;
+    QTest::newRow("a part across lost")
+        << disc
+        << QStringLiteral("p.velocity = p.velocity - j / m1 * n "
+                          "q.velocity = (q.velocity:dot(n) + j / m2) * n")
+        << "The mass grows with r to the power of 2" << 1 << 2.0 << 1.0;
+    QTest::newRow("masses exchanged")
+        << "1 / (c.density * c.radius ^ 3)" << half << "Circle 2 answers with the mass of the other"
+        << 2 << -3.0 << -1.0;
+    QTest::newRow("right masses") << "c.density * c.radius ^ 3" << half << "" << 0 << 3.0 << 1.0;
+    QTest::newRow("neither tells") << disc
+                                   << QStringLiteral("p.velocity = p.velocity - 0.5 * j / m1 * n "
+                                                     "q.velocity = q.velocity + 0.7 * j / m2 * n")
+                                   << "" << 0 << 2.0 << 1.0;
+}
+
+void TestToldHits::massesAreToldBesideAnotherFault()
+{
+    QFETCH(QString, mass);
+    QFETCH(QString, answer);
+    QFETCH(QString, headline);
+    QFETCH(int, circle);
+    QFETCH(double, radius);
+    QFETCH(double, density);
+    const auto found = foundOfHit(
+        {.mass = mass,
+         .e = e,
+         .answer = QStringLiteral("local j = (1 + e) * closing / (1 / m1 + 1 / m2) ") + answer});
+    if (circle == 0) {
+        QVERIFY(std::none_of(found.begin(), found.end(), [](const LawDeviation &each) {
+            return each.message.contains(QLatin1String("as if m"));
+        }));
+        return;
+    }
+    QVERIFY(found.size() > 1);
+    const QString body = bodyOf(found, headline);
+    const auto n = numbersIn(body, "With r₁ = # and r₂ = # m, ρ₁ = # and ρ₂ = # (e = #), circle # "
+                                   "leaves as if m₂/m₁ were #; # is right.");
+    QVERIFY2(n.size() == 8, qPrintable(body));
+    QCOMPARE(n[5], double(circle));
+    QVERIFY(isNear(n[6], std::pow(n[1] / n[0], radius) * std::pow(n[3] / n[2], density)));
+    QVERIFY(isNear(n[7], std::pow(n[1] / n[0], 3.0) * n[3] / n[2]));
+}
+
+void TestToldHits::wholeVelocityOfOneTimesEIsTold_data()
+{
+    QTest::addColumn<QString>("answer");
+    QTest::addColumn<QString>("headline");
+    const auto row = [](const char *name, const char *factor, const char *answer,
+                        const char *headline) {
+        QTest::newRow(name) << text("local j = (1 + ") + text(factor)
+                                   + text(") * closing / (1 / m1 + 1 / m2) ") + text(answer)
+                            << text(headline);
+    };
+    row("circle 1", "e",
+        "p.velocity = e * (p.velocity - j / m1 * n) q.velocity = q.velocity + j / m2 * n",
+        "e multiplies the whole velocity of circle 1 after the hit");
+    row("circle 2, elastic", "1",
+        "p.velocity = p.velocity - j / m1 * n q.velocity = e * (q.velocity + j / m2 * n)",
+        "e multiplies the whole velocity of circle 2 after the hit");
+    row("across alone", "e",
+        "p.velocity = p.velocity - j / m1 * n "
+        "p.velocity = p.velocity:dot(n) * n + e * (p.velocity - p.velocity:dot(n) * n) "
+        "q.velocity = q.velocity + j / m2 * n",
+        "e also shortens the part of circle 1 across the line of centres");
+}
+
+void TestToldHits::wholeVelocityOfOneTimesEIsTold()
+{
+    QFETCH(QString, answer);
+    QFETCH(QString, headline);
+    const auto found = foundOfHit({.e = e, .answer = answer});
+    QVERIFY(!found.empty());
+    QCOMPARE(found.front().message.section(QLatin1Char('\n'), 0, 0), headline);
 }
 
 QTEST_GUILESS_MAIN(TestToldHits)

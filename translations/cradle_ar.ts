@@ -3211,10 +3211,6 @@ So it is when the run begins.</source>
         <translation>هكذا هو عند بدء التشغيل؛ وفي هذه المرحلة يجب أن يكون لمشهدك ⁦e = %1⁩.</translation>
     </message>
     <message>
-        <source>With the e that the step asks for, all that failed would pass.</source>
-        <translation>مع قيمة ⁦e⁩ التي تطلبها المرحلة ينجح كل ما لم ينجح.</translation>
-    </message>
-    <message>
         <source>What gravity adds to the way of %who does not depend on Δt</source>
         <translation>ما تضيفه الجاذبية إلى مسافة %who لا يتوقف على ⁦Δt⁩</translation>
     </message>
@@ -3540,10 +3536,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
         <translation>الدائرتان اللتان تقتربان لهما سرعة اقتراب موجبة ⁦(v₁ − v₂)·n⁩ حيث n من 1 إلى 2: انظر إلى المقارنة وإلى الجهة التي يشير إليها الناظم.</translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one that is pushed answers as if m₂/m₁ were %5; %6 is right.</source>
-        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (و⁦e = %7⁩)، تستجيب المدفوعة كأن m₂/m₁ تساوي ⁨%5⁩؛ الصواب ⁨%6⁩.</translation>
     </message>
     <message>
         <source>circle 2 is to the right of circle 1</source>
@@ -4405,6 +4397,30 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
     <message>
         <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
         <translation>من بداية عند ⁦%1 m⁩ بسرعة ⁦%2 m/s⁩ تكون الدائرة بعد خطوة واحدة من ⁦%4 s⁩ عند ⁦%3 m⁩.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), circle %8 leaves as if m₂/m₁ were %5; %6 is right.</source>
+        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (و⁦e = %7⁩)، تمضي الدائرة ⁨%8⁩ كأن ⁦m₂/m₁ = %5⁩؛ الصواب ⁨%6⁩.</translation>
+    </message>
+    <message>
+        <source>Circle %1 answers with the mass of the other</source>
+        <translation>تستجيب الدائرة ⁨%1⁩ بكتلة الأخرى</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole velocity of circle %1 after the hit</source>
+        <translation>تُضرب سرعة الدائرة ⁨%1⁩ كاملة في e بعد التصادم</translation>
+    </message>
+    <message>
+        <source>e belongs to the rebound along the line of centres alone.</source>
+        <translation>المعامل e يخص الارتداد على خط المركزين وحده.</translation>
+    </message>
+    <message>
+        <source>Both new velocities come from those *before* the hit: look at what each circle gets, and whether it is read before or after a velocity is written.</source>
+        <translation>السرعتان الجديدتان كلتاهما تأتيان من السرعتين *قبل* التصادم: انظر ماذا تنال كل دائرة، وهل يُقرأ قبل كتابة سرعة أم بعدها.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins. With that e a right program fails the check “%1”, too.</source>
+        <translation>هكذا هو عند بدء التشغيل. وبهذا المعامل e لا يجتاز حتى برنامج صحيح الفحص «⁨%1⁩».</translation>
     </message>
 </context>
 <context>

@@ -3187,10 +3187,6 @@ So ist es, wenn der Lauf beginnt.</translation>
         <translation>So ist es, wenn der Lauf beginnt; in diesem Schritt soll deine eigene Szene e = %1 haben.</translation>
     </message>
     <message>
-        <source>With the e that the step asks for, all that failed would pass.</source>
-        <translation>Mit dem e, das der Schritt verlangt, würde alles bestehen, was nicht bestand.</translation>
-    </message>
-    <message>
         <source>What gravity adds to the way of %who does not depend on Δt</source>
         <translation>Was die Schwerkraft für %who zum Weg hinzufügt, hängt nicht von Δt ab</translation>
     </message>
@@ -3516,10 +3512,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
         <translation>Kreise, die sich nähern, haben eine positive Annäherungsgeschwindigkeit (v₁ − v₂)·n mit n von 1 nach 2: Sieh dir den Vergleich an, und wohin deine Normale zeigt.</translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one that is pushed answers as if m₂/m₁ were %5; %6 is right.</source>
-        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) antwortet der, der gestoßen wird, als wäre m₂/m₁ = %5; richtig ist %6.</translation>
     </message>
     <message>
         <source>circle 2 is to the right of circle 1</source>
@@ -4353,6 +4345,30 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
         <translation>Bei %1 m mit %2 m/s gestartet, ist der Kreis einen Schritt von %4 s später bei %3 m.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), circle %8 leaves as if m₂/m₁ were %5; %6 is right.</source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) geht Kreis %8 davon, als wäre m₂/m₁ = %5; richtig ist %6.</translation>
+    </message>
+    <message>
+        <source>Circle %1 answers with the mass of the other</source>
+        <translation>Kreis %1 antwortet mit der Masse des anderen</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole velocity of circle %1 after the hit</source>
+        <translation>e multipliziert die ganze Geschwindigkeit von Kreis %1 nach dem Stoß</translation>
+    </message>
+    <message>
+        <source>e belongs to the rebound along the line of centres alone.</source>
+        <translation>e gehört allein zum Rückprall längs der Verbindungslinie der Mittelpunkte.</translation>
+    </message>
+    <message>
+        <source>Both new velocities come from those *before* the hit: look at what each circle gets, and whether it is read before or after a velocity is written.</source>
+        <translation>Beide neuen Geschwindigkeiten kommen aus denen *vor* dem Stoß: Sieh nach, was jeder Kreis bekommt und ob es gelesen wird, bevor oder nachdem eine Geschwindigkeit geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins. With that e a right program fails the check “%1”, too.</source>
+        <translation>So ist es, wenn der Lauf beginnt. Mit diesem e besteht auch ein richtiges Programm die Prüfung „%1“ nicht.</translation>
     </message>
 </context>
 <context>

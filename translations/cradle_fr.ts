@@ -3187,10 +3187,6 @@ C&apos;est ainsi au début de l&apos;exécution.</translation>
         <translation>C&apos;est ainsi quand l&apos;exécution commence&#xa0;; à cette étape, votre propre scène doit avoir e = %1.</translation>
     </message>
     <message>
-        <source>With the e that the step asks for, all that failed would pass.</source>
-        <translation>Avec le e demandé par l&apos;étape, tout ce qui a échoué serait réussi.</translation>
-    </message>
-    <message>
         <source>What gravity adds to the way of %who does not depend on Δt</source>
         <translation>Ce que la pesanteur ajoute au chemin ne dépend pas de Δt, pour %who</translation>
     </message>
@@ -3516,10 +3512,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Circles that come nearer have a positive closing speed (v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at which way your normal points.</source>
         <translation>Des cercles qui se rapprochent ont une vitesse de rapprochement (v₁ − v₂)·n positive, avec n de 1 vers 2&#xa0;: regardez la comparaison, et dans quel sens pointe votre normale.</translation>
-    </message>
-    <message>
-        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one that is pushed answers as if m₂/m₁ were %5; %6 is right.</source>
-        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), celui qui est poussé réagit comme si m₂/m₁ valait %5&#xa0;; il faut %6.</translation>
     </message>
     <message>
         <source>circle 2 is to the right of circle 1</source>
@@ -4353,6 +4345,30 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
     <message>
         <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
         <translation>Parti de %1 m avec %2 m/s, le cercle est à %3 m un pas de %4 s plus tard.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), circle %8 leaves as if m₂/m₁ were %5; %6 is right.</source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), le cercle %8 repart comme si m₂/m₁ valait %5&#xa0;; il faut %6.</translation>
+    </message>
+    <message>
+        <source>Circle %1 answers with the mass of the other</source>
+        <translation>Le cercle %1 réagit avec la masse de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole velocity of circle %1 after the hit</source>
+        <translation>e multiplie la vitesse entière du cercle %1 après le choc</translation>
+    </message>
+    <message>
+        <source>e belongs to the rebound along the line of centres alone.</source>
+        <translation>e ne concerne que le rebond suivant la ligne des centres.</translation>
+    </message>
+    <message>
+        <source>Both new velocities come from those *before* the hit: look at what each circle gets, and whether it is read before or after a velocity is written.</source>
+        <translation>Les deux nouvelles vitesses se calculent à partir de celles d&apos;*avant* le choc&#xa0;: regardez ce que reçoit chaque cercle, et si c&apos;est lu avant ou après qu&apos;une vitesse est écrite.</translation>
+    </message>
+    <message>
+        <source>So it is when the run begins. With that e a right program fails the check “%1”, too.</source>
+        <translation>C&apos;est ainsi quand l&apos;exécution commence. Avec ce e, même un programme correct échoue à la vérification «&#xa0;%1&#xa0;».</translation>
     </message>
 </context>
 <context>

@@ -56,17 +56,30 @@ public:
             if (aspect == Aspect::Motion)
                 m_motion = std::move(said);
         }
-        if (m_findings.empty() && !m_deviations.isOfChecks()) {
-            if (const auto e = restitutionDeviation(m_task, m_submission, m_checks))
-                take(Aspect::Start, {*e});
-        } else if (const auto e = otherRestitution(m_task, m_submission, m_checks)) {
-            add(*e, {}, e->message);
-            std::rotate(m_findings.begin(), m_findings.end() - 1, m_findings.end());
-        }
+        takeRestitution();
         return std::move(m_findings);
     }
 
 private:
+    /// The e of the own scene, after what else is wrong with the start.
+    void takeRestitution()
+    {
+        const auto isLater = [](const Finding &f) { return f.aspect != Aspect::Start; };
+        const auto at = std::find_if(m_findings.begin(), m_findings.end(), isLater);
+        // A known mistake tells the whole start.
+        if (std::any_of(m_findings.begin(), at,
+                        [](const Finding &f) { return !f.mistake.isEmpty(); }))
+            return;
+        const auto e = otherRestitution(m_task, m_submission, m_checks);
+        if (!e)
+            return;
+        if (m_findings.empty())
+            return take(Aspect::Start, {*e});
+        const auto place = at - m_findings.begin();
+        add(*e, {}, e->message);
+        std::rotate(m_findings.begin() + place, m_findings.end() - 1, m_findings.end());
+    }
+
     /// Instructions that an update takes; a program of the lab takes some hundred.
     [[nodiscard]] qint64 workOfAStep() const
     {

@@ -13,14 +13,15 @@ constexpr double antiparallel = 0.02; ///< of the directions of two pushes
 
 /// The exponent in mass ∝ q^p that all \p hits agree in; \p ratio gives q₂ / q₁.
 template <class Ratio>
-std::optional<double> exponentOf(const std::vector<PairHit> &hits, Ratio ratio)
+std::optional<double> exponentOf(const std::vector<PairHit> &hits, std::optional<int> circle,
+                                 Ratio ratio)
 {
     std::optional<double> exponent;
     for (const PairHit &hit : hits) {
         const double q = ratio(hit.meeting);
         if (std::abs(q - 1.0) < 1e-9)
             continue;
-        const auto heavy = massRatio(hit);
+        const auto heavy = circle ? massRatioFor(hit, *circle) : massRatio(hit);
         if (!heavy)
             return std::nullopt;
         const double p = std::log(*heavy) / std::log(q);
@@ -69,9 +70,23 @@ std::optional<double> massRatio(const PairHit &hit)
     return length(sum) < antiparallel ? std::optional(p1 / p2) : std::nullopt;
 }
 
-MassExponents::MassExponents(const MeasuredPair &pair)
-    : radius(exponentOf(pair.radii, [](const Meeting &m) { return m.radius2 / m.radius1; }))
-    , density(exponentOf(pair.densities, [](const Meeting &m) { return m.density2 / m.density1; }))
+std::optional<double> massRatioFor(const PairHit &hit, int circle)
+{
+    if (!hit.isMet() || !hit.isAligned())
+        return std::nullopt;
+    const PairVelocities in = hit.cameParts();
+    const PairVelocities out = hit.leftParts();
+    const double push = circle == 0 ? in.along1 - out.along1 : out.along2 - in.along2;
+    const double share = push / ((1.0 + hit.meeting.restitution) * (in.along1 - in.along2));
+    if (share <= 0.0 || share >= 1.0)
+        return std::nullopt;
+    return circle == 0 ? share / (1.0 - share) : (1.0 - share) / share;
+}
+
+MassExponents::MassExponents(const MeasuredPair &pair, std::optional<int> circle)
+    : radius(exponentOf(pair.radii, circle, [](const Meeting &m) { return m.radius2 / m.radius1; }))
+    , density(exponentOf(pair.densities, circle,
+                         [](const Meeting &m) { return m.density2 / m.density1; }))
 {
 }
 

@@ -29,22 +29,76 @@ bool isPower(double p)
     return std::abs(2.0 * p - std::round(2.0 * p)) < 0.08;
 }
 
-LawDeviation say(const QString &headline, const QString &why, const std::vector<PairHit> &hits,
-                 const std::vector<PairHit> &right)
-{
-    const PairHit &hit = hits.front();
-    const Meeting &m = hit.meeting;
-    const QString what =
-        (isOnePushed(hit)
-             ? ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the one "
-                                "that is pushed answers as if m₂/m₁ were %5; %6 is right.")
-             : ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the "
-                                "change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right."))
-            .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
-                 brief(massRatio(hit).value_or(0.0)), brief(massRatio(right.front()).value_or(0.0)),
-                 brief(m.restitution));
-    return responseDeviation(headline, what + QLatin1Char(' ') + why, hit, Suspect::Masses);
-}
+/// Tells the masses of a program by what both circles get in its hits, or one of them.
+struct MassTeller {
+    const MeasuredPair &own;
+    const MeasuredPair &right;
+    std::optional<int> circle{}; ///< from 0
+
+    [[nodiscard]] LawDeviation say(const QString &headline, const QString &why,
+                                   std::vector<PairHit> MeasuredPair::*hits) const
+    {
+        const PairHit &hit = (own.*hits).front();
+        const Meeting &m = hit.meeting;
+        // The circle that tells, if it is one alone.
+        const int one = circle                      ? *circle
+                        : !isOnePushed(hit)         ? -1
+                        : length(hit.push1()) > 0.0 ? 0
+                                                    : 1;
+        const double heavy = (circle ? massRatioFor(hit, *circle) : massRatio(hit)).value_or(0.0);
+        QString what =
+            one >= 0
+                ? ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), "
+                                   "circle %8 leaves as if m₂/m₁ were %5; %6 is right.")
+                : ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the "
+                                   "change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.");
+        what = what.arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
+                        brief(heavy), brief(massRatio((right.*hits).front()).value_or(0.0)),
+                        brief(m.restitution));
+        if (one >= 0)
+            what = what.arg(one + 1);
+        return responseDeviation(headline, what + QLatin1Char(' ') + why, hit, Suspect::Masses);
+    }
+
+    [[nodiscard]] LawDeviation exchanged() const
+    {
+        LawDeviation exchange = say(
+            circle
+                ? ResponseText::tr("Circle %1 answers with the mass of the other").arg(*circle + 1)
+                : ResponseText::tr("Each circle answers with the mass of the other"),
+            ResponseText::tr("The heavier one is pushed away faster. Look at which "
+                             "mass stands where."),
+            &MeasuredPair::radii);
+        exchange.suspect = Suspect::Formula;
+        return exchange;
+    }
+
+    [[nodiscard]] LawDeviation radius(double p, double good) const
+    {
+        return say(
+            is(p, 0.0) ? isExact(own.radii, 1.0)
+                             ? ResponseText::tr("The hits do not depend on the radii")
+                             : ResponseText::tr("The hits hardly depend on the radii")
+            : isPower(p)
+                ? ResponseText::tr("The mass grows with r to the power of %1, not %2")
+                      .arg(brief(roundedExponent(p)), brief(roundedExponent(good)))
+                : ResponseText::tr("The masses do not follow the radii as those of balls do"),
+            ResponseText::tr("A ball that is twice as wide is also twice as high and as deep: its "
+                             "mass grows with r³."),
+            &MeasuredPair::radii);
+    }
+
+    [[nodiscard]] LawDeviation density(double p, double good) const
+    {
+        return say(is(p, 0.0)   ? ResponseText::tr("The hits do not depend on the densities")
+                   : isPower(p) ? ResponseText::tr(
+                                      "The mass grows with the density to the power of %1, not %2")
+                                      .arg(brief(roundedExponent(p)), brief(roundedExponent(good)))
+                                : ResponseText::tr("The masses do not follow the densities"),
+                   ResponseText::tr("Mass is density times volume, for each circle its own."),
+                   &MeasuredPair::densities);
+    }
+};
 
 /// m₂/m₁ in a hit of two equal circles among \p hits.
 std::optional<double> equalRatioOf(const std::vector<PairHit> &hits)
@@ -102,41 +156,53 @@ std::optional<LawDeviation> numberedMasses(const MeasuredPair &own)
             .arg(brief(*ratio)));
 }
 
-/// Why each mass may stand where that of the other should.
-LawDeviation exchangedMasses(const MeasuredPair &own, const MeasuredPair &right)
+bool isOff(std::optional<double> a, std::optional<double> b)
 {
-    LawDeviation exchange =
-        say(ResponseText::tr("Each circle answers with the mass of the other"),
-            ResponseText::tr("The heavier one is pushed away faster. Look at which "
-                             "mass stands where."),
-            own.radii, right.radii);
-    exchange.suspect = Suspect::Formula;
-    return exchange;
+    return a && b && std::abs(*a - *b) > 3.0 * ratioBlur;
 }
 
-LawDeviation radiusSaid(double p, double good, const MeasuredPair &own, const MeasuredPair &right)
+/// In what powers of radius and density the masses of \p own are not those of \p right.
+std::vector<LawDeviation> powerDeviations(const MassTeller &tell, MassExponents p,
+                                          const MassExponents &good)
 {
-    return say(
-        is(p, 0.0)   ? isExact(own.radii, 1.0)
-                           ? ResponseText::tr("The hits do not depend on the radii")
-                           : ResponseText::tr("The hits hardly depend on the radii")
-          : isPower(p) ? ResponseText::tr("The mass grows with r to the power of %1, not %2")
-                           .arg(brief(roundedExponent(p)), brief(roundedExponent(good)))
-                     : ResponseText::tr("The masses do not follow the radii as those of balls do"),
-        ResponseText::tr("A ball that is twice as wide is also twice as high and as deep: its "
-                         "mass grows with r³."),
-        own.radii, right.radii);
+    std::vector<LawDeviation> found;
+    const bool exchanged =
+        p.radius && *p.radius < -ratioBlur && (!p.density || *p.density < ratioBlur);
+    if (exchanged && good.radius) {
+        // Masses that only change places are still those of balls.
+        if (isOff(-*p.radius, good.radius) && !isPower(*p.radius))
+            return {tell.say(ResponseText::tr("The heavier circle is pushed away faster"),
+                             ResponseText::tr("The masses do not only change places. Look at every "
+                                              "place where one enters your answer."),
+                             &MeasuredPair::radii)};
+        found.push_back(tell.exchanged());
+        p.radius = -*p.radius;
+        if (p.density)
+            p.density = -*p.density;
+    }
+    if (isOff(p.radius, good.radius))
+        found.push_back(tell.radius(*p.radius, *good.radius));
+    if (isOff(p.density, good.density))
+        found.push_back(tell.density(*p.density, *good.density));
+    return found;
 }
 
-LawDeviation densitySaid(double p, double good, const MeasuredPair &own, const MeasuredPair &right)
+/// Whether \p circle, from 0, leaves all hits of equal masses as it should along the line of
+/// centres.
+bool isRightAlong(const MeasuredPair &own, const MeasuredPair &right, int circle)
 {
-    return say(is(p, 0.0) ? ResponseText::tr("The hits do not depend on the densities")
-               : isPower(p)
-                   ? ResponseText::tr("The mass grows with the density to the power of %1, not %2")
-                         .arg(brief(roundedExponent(p)), brief(roundedExponent(good)))
-                   : ResponseText::tr("The masses do not follow the densities"),
-               ResponseText::tr("Mass is density times volume, for each circle its own."),
-               own.densities, right.densities);
+    constexpr double blur = 5e-3; // the line of centres turns a little in a step
+    const auto partOf = [circle](const PairVelocities &v) {
+        return circle == 0 ? v.along1 : v.along2;
+    };
+    for (std::size_t i = 0; i < own.equals.size(); ++i) {
+        const PairHit &hit = own.equals[i];
+        const PairHit &good = right.equals[i];
+        if (!hit.isMet() || !hit.isAligned() || !good.isMet() || !good.isAligned()
+            || std::abs(partOf(hit.leftParts()) - partOf(good.leftParts())) > blur)
+            return false;
+    }
+    return true;
 }
 
 } // namespace
@@ -149,38 +215,31 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
         return {*push};
     if (const auto numbers = numberedMasses(own))
         return {*numbers};
-    MassExponents p(own);
+    const MassTeller tell{own, right};
+    const MassExponents p(own);
     const MassExponents good(right);
-    const auto isOff = [](std::optional<double> a, std::optional<double> b) {
-        return a && b && std::abs(*a - *b) > 3.0 * ratioBlur;
-    };
     if (isOff(p.radius, good.radius) && is(p.radius, 0.0) && (!good.density || is(p.density, 0.0)))
-        return {
-            say(ResponseText::tr("Both velocities change equally much, whatever the masses are"),
-                ResponseText::tr("The heavier of two circles changes its velocity less. Look at "
-                                 "where the masses of both enter your answer."),
-                own.radii, right.radii)};
-    std::vector<LawDeviation> found;
-    const bool exchanged =
-        p.radius && *p.radius < -ratioBlur && (!p.density || *p.density < ratioBlur);
-    if (exchanged && good.radius) {
-        // Masses that only change places are still those of balls.
-        if (isOff(-*p.radius, good.radius) && !isPower(*p.radius))
-            return {
-                say(ResponseText::tr("The heavier circle is pushed away faster"),
-                    ResponseText::tr("The masses do not only change places. Look at every place "
-                                     "where one enters your answer."),
-                    own.radii, right.radii)};
-        found.push_back(exchangedMasses(own, right));
-        p.radius = -*p.radius;
-        if (p.density)
-            p.density = -*p.density;
+        return {tell.say(
+            ResponseText::tr("Both velocities change equally much, whatever the masses are"),
+            ResponseText::tr("The heavier of two circles changes its velocity less. Look at "
+                             "where the masses of both enter your answer."),
+            &MeasuredPair::radii)};
+    return powerDeviations(tell, p, good);
+}
+
+std::vector<LawDeviation> massDeviationsBeside(const MeasuredPair &own, const MeasuredPair &right)
+{
+    const MassExponents good(right);
+    const auto isClear = [](std::optional<double> p, std::optional<double> wanted) {
+        return !wanted || (p && isPower(*p) && std::abs(*p) > 0.4);
+    };
+    for (const int circle : {0, 1}) {
+        const MassExponents p(own, circle);
+        if (isRightAlong(own, right, circle) && isClear(p.radius, good.radius)
+            && isClear(p.density, good.density))
+            return powerDeviations({own, right, circle}, p, good);
     }
-    if (isOff(p.radius, good.radius))
-        found.push_back(radiusSaid(*p.radius, *good.radius, own, right));
-    if (isOff(p.density, good.density))
-        found.push_back(densitySaid(*p.density, *good.density, own, right));
-    return found;
+    return {};
 }
 
 } // namespace cradle

@@ -107,10 +107,16 @@ private:
         if (!m_isElastic || (!one && !two))
             return;
         if (one != two) {
-            if (every(m_all, one ? &Rebound::across2 : &Rebound::across1, kept))
+            const int circle = one ? 0 : 1;
+            if (isWhole(circle)) {
+                add(ReboundText::tr("e multiplies the whole velocity of circle %1 after the hit")
+                        .arg(circle + 1),
+                    ReboundText::tr("e belongs to the rebound along the line of centres alone."));
+                m_isDone = every(m_all, one ? &Rebound::second : &Rebound::first, same);
+            } else if (every(m_all, one ? &Rebound::across2 : &Rebound::across1, kept))
                 add(ReboundText::tr("e also shortens the part of circle %1 across the line of "
                                     "centres")
-                        .arg(one ? 1 : 2),
+                        .arg(circle + 1),
                     ReboundText::tr("Nothing pushes there: it stays as it was."));
             return;
         }
@@ -123,6 +129,28 @@ private:
         }
         add(ReboundText::tr("e also shortens the parts across the line of centres"),
             ReboundText::tr("Nothing pushes there: they stay as they were."));
+    }
+
+    /// Whether the part along the line of centres of a circle, from 0, is e times that of an
+    /// elastic hit, or e times that which is right.
+    [[nodiscard]] bool isWhole(int circle) const
+    {
+        const auto partOf = [circle](const PairVelocities &v) {
+            return circle == 0 ? v.along1 : v.along2;
+        };
+        bool isOfElastic = true;
+        bool isOfRight = true;
+        for (std::size_t i = 0; i < m_own.rebounds.size(); ++i) {
+            const PairHit &hit = m_own.rebounds[i];
+            const double e = hit.meeting.restitution;
+            const PairVelocities in = hit.cameParts();
+            const double left = partOf(hit.leftParts());
+            const double elastic = circle == 0 ? in.along2 : in.along1;
+            const double right = partOf(m_right.rebounds[i].leftParts());
+            isOfElastic = isOfElastic && std::abs(left - e * elastic) < blur;
+            isOfRight = isOfRight && std::abs(left - e * right) < blur;
+        }
+        return isOfElastic || isOfRight;
     }
 
     void findAlong()

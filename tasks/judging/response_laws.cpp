@@ -88,6 +88,9 @@ std::vector<ResponseLaw> exchangeLaws()
     const QString old =
         ResponseLawText::tr("Both new velocities come from those *before* the hit: look "
                             "at which lines read a velocity that has been written.");
+    const QString either = ResponseLawText::tr(
+        "Both new velocities come from those *before* the hit: look at what each circle gets, and "
+        "whether it is read before or after a velocity is written.");
     return {
         {[](Hit h) {
              return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
@@ -105,11 +108,11 @@ std::vector<ResponseLaw> exchangeLaws()
         {[](Hit h) {
              return PairVelocities{h.in.along2, h.in.across2, h.in.along2, h.in.across2};
          },
-         ResponseLawText::tr("Both circles leave with the velocity of circle 2"), old},
+         ResponseLawText::tr("Both circles leave with the velocity of circle 2"), either},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across1, h.in.along1, h.in.across1};
          },
-         ResponseLawText::tr("Both circles leave with the velocity of circle 1"), old},
+         ResponseLawText::tr("Both circles leave with the velocity of circle 1"), either},
         // Δv is the closing speed, then that with the new velocity of the other, times one factor.
         {[](Hit h) {
              const double share = (h.right.along2 - h.in.along2) / (h.in.along1 - h.in.along2);

@@ -38,11 +38,15 @@ inline constexpr double ratioBlur = 0.01;
 /// How many times as heavy circle 2 is, by what the pushes did: |Δv₁| / |Δv₂|; nothing if they
 /// are not opposite. Where one alone is pushed, as its share of what parts them tells.
 [[nodiscard]] std::optional<double> massRatio(const PairHit &hit);
+/// The same by the push along the line of centres on one circle, from 0: its share of what parts
+/// two circles is that of the other in both masses.
+[[nodiscard]] std::optional<double> massRatioFor(const PairHit &hit, int circle);
 
 /// The exponents p and s in mass ∝ r^p ρ^s that the hits of a program follow; nothing where they
 /// follow none, or it was not asked for.
 struct MassExponents {
-    explicit MassExponents(const MeasuredPair &pair);
+    /// \param circle  from 0: as the push on it alone tells; none: as both tell
+    explicit MassExponents(const MeasuredPair &pair, std::optional<int> circle = {});
     /// m₂/m₁ of such circles; where an exponent is not known, as for balls.
     [[nodiscard]] double ratioOf(const Meeting &meeting) const;
 
@@ -61,6 +65,11 @@ struct MassExponents {
 /// In what the masses of \p own are not those of \p right.
 [[nodiscard]] std::vector<LawDeviation> massDeviations(const MeasuredPair &own,
                                                        const MeasuredPair &right);
+
+/// The same where the push on one circle or both is wrong for equal masses, too: as the push along
+/// the line of centres tells on one that leaves equal hits as it should.
+[[nodiscard]] std::vector<LawDeviation> massDeviationsBeside(const MeasuredPair &own,
+                                                             const MeasuredPair &right);
 
 /// How e acts on the rebound of a program.
 struct ReboundReading {

@@ -30,6 +30,10 @@ public:
         if (!isWhole(m_own.radii, m_right.radii) || !isWhole(m_own.densities, m_right.densities)) {
             for (LawDeviation &mass : massDeviations(m_own, m_right))
                 m_found.push_back(std::move(mass));
+            if (m_found.size() == 1 && m_equal.said) {
+                for (LawDeviation &mass : massDeviationsBeside(m_own, m_right))
+                    m_found.push_back(std::move(mass));
+            }
         }
         if (m_equal.isRight && m_own.later && m_right.later && m_own.later->isFirstOdd()
             && isAnyFirstOdd()) {
@@ -76,20 +80,17 @@ private:
         return m_equal.law && (own.empty() || follows(*m_equal.law, comparableHits(own, right)));
     }
 
-    /// Whether all that was found is that masses grow with other powers, and e is used as it should
-    /// be.
+    /// Whether all that was found is that masses grow with other powers or stand for each other,
+    /// and e is used as it should be.
     [[nodiscard]] bool isOnlyMasses(const ReboundReading &rebound) const
     {
         const MassExponents p(m_own);
         const auto isPower = [](double q) {
-            return q > 0.4 && std::abs(2.0 * q - std::round(2.0 * q)) < 0.04;
+            return std::abs(q) > 0.4 && std::abs(2.0 * q - std::round(2.0 * q)) < 0.04;
         };
         return m_equal.isRight && !m_equal.law && rebound.deviations.empty() && p.radius
                && isPower(*p.radius)
-               && (m_own.densities.empty() || (p.density && isPower(*p.density)))
-               && std::all_of(m_found.begin(), m_found.end(), [](const LawDeviation &found) {
-                      return found.suspect == Suspect::Masses;
-                  });
+               && (m_own.densities.empty() || (p.density && isPower(*p.density)));
     }
 
     /// A hit of unequal circles that does not come out right, and how it should; null if none.

@@ -158,31 +158,6 @@ std::vector<LawDeviation> startDeviations(const Task &task, const Submission &su
     return deviations;
 }
 
-std::optional<LawDeviation> otherRestitution(const Task &task, const Submission &submission,
-                                             const std::vector<CheckOutcome> &checks)
-{
-    const Probe own(submission.program(), {submission.preset, false});
-    if (!submission.script || !own.runs())
-        return std::nullopt;
-    const double e = own.start().restitution;
-    for (const CheckSpec &check : task.checks) {
-        const QJsonValue asked = valueOf(check, QStringLiteral("restitution"));
-        if (!showsOwnScene(check) || !asked.isDouble() || asked.toDouble() == e
-            || !failed(check, checks))
-            continue;
-        return LawDeviation{
-            Aspect::Start,
-            StartText::tr("e = %1 is not the value that is asked for").arg(brief(e))
-                + QStringLiteral("\n\n")
-                + StartText::tr("So it is when the run begins; in this step your own scene should "
-                                "have e = %1.")
-                      .arg(brief(asked.toDouble()))
-                + QLatin1Char(' ') + whoSet(task, submission, Assignment::Field::Restitution),
-            {.start = Assignment::Field::Restitution}};
-    }
-    return std::nullopt;
-}
-
 namespace {
 
 /// The program with another e in place of what it sets; empty if it sets none.
@@ -195,52 +170,65 @@ QString withRestitution(QString program, double e)
     return program.replace(assignment, QStringLiteral("  restitution = %1").arg(e, 0, 'g', 17));
 }
 
-/// Whether \p program passes all that failed in the own scene.
-bool passesOwnScenes(const Task &task, const Preset &preset, const QString &program,
-                     const std::vector<CheckOutcome> &checks)
+/// The check in the own scene that the solution fails with that \p e: then it is wrong, whatever
+/// else is; null if it passes all.
+const CheckSpec *failedWith(const Task &task, double e)
 {
-    for (const CheckOutcome &outcome : checks) {
-        if (outcome.passed)
+    const Probe right(&task.solution, {task.preset, false});
+    if (task.solution.isEmpty() || !right.runs() || right.start().restitution == e)
+        return nullptr;
+    const QString changed = withRestitution(task.solution, e);
+    const QString &program = changed.isEmpty() ? task.solution : changed;
+    Preset scene = task.preset;
+    if (changed.isEmpty())
+        scene.restitution = e;
+    for (const CheckSpec &check : task.checks) {
+        if (!showsOwnScene(check))
             continue;
-        const auto spec = std::find_if(task.checks.begin(), task.checks.end(),
-                                       [&](const CheckSpec &c) { return c.id == outcome.id; });
-        if (spec == task.checks.end() || outcome.variant != QLatin1String("preset"))
-            return false;
-        const CheckPlan plan = planOf(*spec, preset, task.locked, 1);
-        for (const Variant &variant : plan.variants) {
-            if (judge(*spec, observe(variant, &program)))
-                return false;
-        }
+        const CheckPlan plan = planOf(check, scene, task.locked, 1);
+        if (std::any_of(plan.variants.begin(), plan.variants.end(), [&](const Variant &variant) {
+                return judge(check, observe(variant, &program)).has_value();
+            }))
+            return &check;
     }
-    return true;
+    return nullptr;
+}
+
+/// Why \p e is not the one that is asked for; empty if it may be.
+QString whyOtherRestitution(const Task &task, double e, const std::vector<CheckOutcome> &checks)
+{
+    for (const CheckSpec &check : task.checks) {
+        const QJsonValue asked = valueOf(check, QStringLiteral("restitution"));
+        if (showsOwnScene(check) && asked.isDouble() && asked.toDouble() != e
+            && failed(check, checks))
+            return StartText::tr("So it is when the run begins; in this step your own scene should "
+                                 "have e = %1.")
+                .arg(brief(asked.toDouble()));
+    }
+    if (const CheckSpec *check = failedWith(task, e))
+        return StartText::tr("So it is when the run begins. With that e a right program fails the "
+                             "check “%1”, too.")
+            .arg(check->title);
+    return {};
 }
 
 } // namespace
 
-std::optional<LawDeviation> restitutionDeviation(const Task &task, const Submission &submission,
-                                                 const std::vector<CheckOutcome> &checks)
+std::optional<LawDeviation> otherRestitution(const Task &task, const Submission &submission,
+                                             const std::vector<CheckOutcome> &checks)
 {
     const Probe own(submission.program(), {submission.preset, false});
-    const Probe right(&task.solution, {task.preset, false});
-    if (!submission.script || !own.runs() || !right.runs()
-        || own.start().restitution == right.start().restitution)
+    if (!submission.script || !own.runs())
         return std::nullopt;
-    // Where the program sets none, it is that of the scene.
-    const double e = right.start().restitution;
-    const QString changed = withRestitution(*submission.script, e);
-    Preset scene = submission.preset;
-    if (changed.isEmpty())
-        scene.restitution = e;
-    if (!passesOwnScenes(task, scene, changed.isEmpty() ? *submission.script : changed, checks))
+    const double e = own.start().restitution;
+    const QString why = whyOtherRestitution(task, e, checks);
+    if (why.isEmpty())
         return std::nullopt;
-    return LawDeviation{
-        Aspect::Start,
-        StartText::tr("e = %1 is not the value that is asked for")
-                .arg(brief(own.start().restitution))
-            + QStringLiteral("\n\n")
-            + StartText::tr("With the e that the step asks for, all that failed would pass.")
-            + QLatin1Char(' ') + whoSet(task, submission, Assignment::Field::Restitution),
-        {.start = Assignment::Field::Restitution}};
+    return LawDeviation{Aspect::Start,
+                        StartText::tr("e = %1 is not the value that is asked for").arg(brief(e))
+                            + QStringLiteral("\n\n") + why + QLatin1Char(' ')
+                            + whoSet(task, submission, Assignment::Field::Restitution),
+                        {.start = Assignment::Field::Restitution}};
 }
 
 } // namespace cradle

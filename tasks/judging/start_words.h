@@ -17,13 +17,8 @@ namespace cradle {
                                                         const Submission &submission,
                                                         const std::vector<CheckOutcome> &checks);
 
-/// Where all laws of a program are right: whether its checks fail by the e of its own scene alone.
-/// It is proven by running them with that of the reference.
-[[nodiscard]] std::optional<LawDeviation>
-restitutionDeviation(const Task &task, const Submission &submission,
-                     const std::vector<CheckOutcome> &checks);
-
-/// The same beside other faults: that its own scene has another e than a failed check asks for.
+/// That its own scene has another e than a failed check asks for, or one with which the solution
+/// fails a check: proven by running that.
 [[nodiscard]] std::optional<LawDeviation> otherRestitution(const Task &task,
                                                            const Submission &submission,
                                                            const std::vector<CheckOutcome> &checks);
