@@ -12,6 +12,7 @@
 #include "tasks/report/report_formats.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTest>
 
 #include <numbers>

@@ -5,6 +5,8 @@
 #include "tasks/reading/lab_list.h"
 #include "tests/text.h"
 
+#include <QJsonArray>
+
 using namespace cradle;
 
 /// Findings are made for labs of any kind: here one with another law, which its own check in Lua

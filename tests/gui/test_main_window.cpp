@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QMenuBar>
 
 using namespace cradle;
 using namespace cradle::windows;

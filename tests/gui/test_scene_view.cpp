@@ -6,6 +6,7 @@
 #include "views/scene/loupe.h"
 #include "views/theme.h"
 
+#include <QPainter>
 #include <QTest>
 
 using namespace cradle::scenes;

@@ -6,6 +6,7 @@
 #include "views/transport_bar.h"
 
 #include <QLabel>
+#include <QLayout>
 #include <QProgressBar>
 #include <QSignalSpy>
 #include <QSlider>
