@@ -208,12 +208,11 @@ private:
 
 } // namespace
 
-void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses,
-                   int mostRounds)
+void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses)
 {
     const std::size_t n = contacts.size();
     if (n > few) {
-        solveManyContacts(contacts, inverseMasses, mostRounds);
+        solveManyContacts(contacts, inverseMasses);
         return;
     }
     std::array<double, few * few> matrix;

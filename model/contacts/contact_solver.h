@@ -32,8 +32,6 @@ struct Contact {
 /// What follows from it, and which contacts are of one moment: docs/physics.md, 5.
 /// Source: Glocker, Pfeiffer: Multiple Impacts with Friction in Rigid Multibody Systems, 1995.
 /// \param inverseMasses  1/m of every body, 1/kg
-/// \param mostRounds  for more than 64; some times what the longest chains need
-void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses,
-                   int mostRounds = 4000);
+void solveContacts(std::span<Contact> contacts, std::span<const double> inverseMasses);
 
 } // namespace cradle

@@ -10,11 +10,9 @@ namespace cradle {
 /// among the contacts that push, projected where one would pull, and a step down the gradient
 /// where one that does not push should. Each round takes O(n), and rounds grow as the longest
 /// chain. The closing speeds are met to 1e-9 of the largest wish, in units of a contact's own, or
-/// as well as \p mostRounds can: heaps that are held from many sides converge slowly.
+/// as well as 4000 rounds can.
 /// Source: Dostál: Optimal Quadratic Programming Algorithms, 2009, 5.8 (MPRGP).
 /// \param inverseMasses  1/m of every body, 1/kg
-/// \param mostRounds  after which it stops
-void solveManyContacts(std::span<Contact> contacts, std::span<const double> inverseMasses,
-                       int mostRounds);
+void solveManyContacts(std::span<Contact> contacts, std::span<const double> inverseMasses);
 
 } // namespace cradle

@@ -25,13 +25,6 @@ constexpr double rounded = 1e-14;
 
 } // namespace
 
-/// For the solver of contacts. Where hits lose nothing, energy is to be kept; with so many a heap
-/// of 1,000 overlaps by 0.03 radii, one of 300 by 0.001.
-int ContinuousStep::mostRounds() const
-{
-    return m_lossy ? 500 : 4000;
-}
-
 double ContinuousStep::restitutionOf(const Contact &contact) const
 {
     if (contact.b < 0 || m_rules->laws.circles == CircleLaw::Impulse)
@@ -156,7 +149,7 @@ void ContinuousStep::meet(const Event &event)
 
 void ContinuousStep::respondTogether()
 {
-    solveContacts(m_contacts, m_inverseMasses, mostRounds());
+    solveContacts(m_contacts, m_inverseMasses);
     // Changes are summed before they are applied, so that mirrored contacts stay mirrored.
     for (Contact &contact : m_contacts) {
         const double unit = m_inverseMasses[at(contact.a)];

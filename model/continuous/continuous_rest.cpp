@@ -166,7 +166,7 @@ void ContinuousStep::addWalls()
 void ContinuousStep::hold()
 {
     const double end = m_dt - m_now;
-    solveContacts(m_contacts, m_inverseMasses, mostRounds());
+    solveContacts(m_contacts, m_inverseMasses);
     for (const Contact &contact : m_contacts) {
         if (contact.impulse <= 0.0)
             continue;

@@ -99,7 +99,6 @@ private:
     void addSupports();
     void respondTogether();
     void respondInTurn();
-    [[nodiscard]] int mostRounds() const;
     [[nodiscard]] double restitutionOf(const Contact &contact) const;
     [[nodiscard]] bool comesToRest(const Contact &contact, double closing) const;
     [[nodiscard]] bool isCollapse(const Contact &contact);
