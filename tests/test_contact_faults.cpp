@@ -170,9 +170,9 @@ void addCollisions()
            1);
     // 0.45 m − 4 · 0.1 m.
     addRow("answered late", pair("collides"), drift(headOn(), leave({0, 0}, {1, 0}, 5)),
-           "By step 1 the circles have run into each other, and they are answered only at step 5, "
-           "with their centres 0.05 m apart; they should answer as soon as their distance is r₁ + "
-           "r₂",
+           "By step 1 the circles have run into each other, and they are answered only in step 5, "
+           "which begins with their centres 0.05 m apart; they should answer as soon as their "
+           "distance is r₁ + r₂",
            1);
     addRow("no answer with e", pair("collides"), drift(headOn(), {}, 1.0, {}, 0.0),
            "At step 1, with e = 0, the circles have run into each other and go on as if nothing "
@@ -196,6 +196,12 @@ void addCollisions()
            "At step 2 the circles met with 1 m/s along the line of centres and parted with 1 m/s; "
            "e times as much, with e = 0.5, is 0.5 m/s",
            2, 0.5, 1.0, "m/s");
+    addRow("still comes nearer", pair("rebounds"),
+           drift(headOn(), leave({0.8, 0}, {0.2, 0}), 1.0, {}, 0.5),
+           "At step 2 the circles met with 1 m/s along the line of centres, and after the hit they "
+           "still come nearer, with 0.6 m/s; they should part with e times as much as they met "
+           "with: with e = 0.5, 0.5 m/s",
+           2, 0.5, -0.6, "m/s");
 }
 
 } // namespace

@@ -133,6 +133,19 @@ void addFreeMotion()
         "At step 2 the velocity of circle 2 changed by (0, -0.2) m/s, an acceleration of (0, -2) "
         "m/s²; (0, -1) m/s² is right here",
         2, -1.0, -2.0, "m/s²");
+    // Its radius is 0.2 m, and a right one would turn at 3.8 m.
+    addRow("turned before the wall", check("integrates", {1}),
+           drift(beside({.position = {3.5, 0}, .velocity = {1, 0}}),
+                 change(2, 1, [](Circle &c) { c.velocity.x = -1.0; })),
+           "At step 2 circle 2 turned round although its rim was still 0.2 m from the right wall; "
+           "it should touch first",
+           2, 1.0, -1.0, "m/s");
+    addRow("turned far from walls", check("integrates", {1}),
+           drift(beside({.position = {2.5, 0}, .velocity = {1, 0}}),
+                 change(2, 1, [](Circle &c) { c.velocity.x = -1.0; })),
+           "At step 2 the velocity of circle 2 changed by (-2, 0) m/s, an acceleration of (-20, 0) "
+           "m/s²; (0, 0) m/s² is right here",
+           2, 0.0, -20.0, "m/s²");
     addRow("another integrator", check("integrates", {1}, integrators("euler")),
            drift(two, {}, 1.0, unitGravity),
            "At step 1 circle 2 moved by (0, -0.01) m; by Euler it moves by (0, 0) m. In this step "
@@ -145,8 +158,8 @@ void addFreeMotion()
         0.1, 0.11, "m");
     addRow("never free", check("integrates", {1}), drift(beside({.position = {3.85, 0}}), {}),
            "Circle 2 was free of walls and other circles for 0 s only; at least 0.1 s must be seen "
-           "to judge its motion. It was close to a wall for 1 s, and to another circle for 0 s: "
-           "look at what it does there",
+           "to judge its motion. For 1 s it could reach a wall within a step, and for 0 s another "
+           "circle: look at what it does there",
            0, 0.1, 0.0, "s");
     addRow("no integrator", check("same_integrator", {0, 1}),
            drift(two, change(2, 1, [](Circle &c) { c.position.x += 0.01; }), 1.0, unitGravity),

@@ -84,7 +84,7 @@ void TestMovers::oneCheckSaysThatNothingMoves()
     QCOMPARE(report.checks.size(), task(step).checks.size() + 1);
     QCOMPARE(report.checks.front().id, QStringLiteral("moves"));
     QCOMPARE(report.checks.front().message,
-             QStringLiteral("Nothing moves the circles: write on_update"));
+             QStringLiteral("Nothing in your program moves the circles: write on_update"));
     QVERIFY(outcome(report, "start-velocity").passed);
     const CheckOutcome &walls = outcome(report, "walls");
     QVERIFY(!walls.passed);

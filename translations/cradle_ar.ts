@@ -989,10 +989,6 @@
         <translation>قوانين المشهد هي التي تحرّك الدوائر</translation>
     </message>
     <message>
-        <source>Nothing moves the circles: write on_update</source>
-        <translation>لا شيء يحرّك الدوائر: اكتب on_update</translation>
-    </message>
-    <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
         <translation>برنامجك هو الذي يحرّك الدوائر: احذف on_update، فتحرّكها قوانين المشهد</translation>
     </message>
@@ -1011,10 +1007,6 @@
     <message>
         <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
         <translation>في الخطوة ⁨%1⁩ كانت سرعة الدائرة ⁨%2⁩ نحو ⁨%3⁩ قبل الخطوة ⁦%4 m/s⁩ وبعدها ⁦%5 m/s⁩؛ ومع ⁦e = %6⁩ والجاذبية الصواب من ⁨%7⁩ إلى ⁦%8 m/s⁩</translation>
-    </message>
-    <message>
-        <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
-        <translation>. كانت قريبة من جدار مدة ⁦%1 s⁩ ومن دائرة أخرى مدة ⁦%2 s⁩: انظر ماذا تفعل هناك</translation>
     </message>
     <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
@@ -1097,10 +1089,6 @@
         <translation>في الخطوة ⁨%1⁩ غادرت الدائرة 1 التصادم بسرعة ⁦%2 m/s⁩ والدائرة 2 بسرعة ⁦%3 m/s⁩؛ وحيث يتجه خط المركزين على ⁨%4⁩ فالصحيح ⁨%5⁩ و⁦%6 m/s⁩</translation>
     </message>
     <message>
-        <source>By step %1 the circles have run into each other, and they are answered only at step %2, with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
-        <translation>بحلول الخطوة ⁨%1⁩ تداخلت الدائرتان ولم تستجيبا إلا في الخطوة ⁨%2⁩ والمسافة بين المركزين ⁦%3 m⁩؛ يجب أن تستجيبا حالما تبلغ المسافة بينهما ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
-    </message>
-    <message>
         <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
         <translation>%1. ويُبلغ جدار أيضًا في هذه الخطوة: احكم عليها حين تصح الجدران</translation>
     </message>
@@ -1119,6 +1107,22 @@
     <message>
         <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
         <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات حين تصح حركتها</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles met with %2 m/s along the line of centres, and after the hit they still come nearer, with %3 m/s; they should part with e times as much as they met with: with e = %4, %5 m/s</source>
+        <translation>في الخطوة ⁨%1⁩ التقت الدائرتان بسرعة ⁦%2 m/s⁩ على خط المركزين، وبعد التصادم ما زالتا تتقاربان بسرعة ⁦%3 m/s⁩؛ وكان ينبغي أن تتباعدا بمقدار e مرة من سرعة اللقاء: مع ⁦e = %4⁩ بسرعة ⁦%5 m/s⁩</translation>
+    </message>
+    <message>
+        <source>By step %1 the circles have run into each other, and they are answered only in step %2, which begins with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>عند الخطوة ⁨%1⁩ كانت الدائرتان قد تداخلتا، ولم تأتِ الاستجابة إلا في الخطوة ⁨%2⁩ التي تبدأ والمسافة بين مركزيهما ⁦%3 m⁩؛ وينبغي أن تستجيبا حالما تصير المسافة ⁦r₁ + r₂⁩</translation>
+    </message>
+    <message>
+        <source>. For %1 s it could reach a wall within a step, and for %2 s another circle: look at what it does there</source>
+        <translation>. كان يمكنها أن تبلغ جدارًا خلال خطوة مدة ⁦%1 s⁩، ودائرةً أخرى مدة ⁦%2 s⁩: انظر ماذا تفعل هناك</translation>
+    </message>
+    <message>
+        <source>Nothing in your program moves the circles: write on_update</source>
+        <translation>لا شيء في برنامجك يحرّك الدائرتين: اكتب ⁦on_update⁩</translation>
     </message>
 </context>
 <context>

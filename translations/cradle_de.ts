@@ -993,10 +993,6 @@
         <translation>Die Gesetze der Szene bewegen die Kreise</translation>
     </message>
     <message>
-        <source>Nothing moves the circles: write on_update</source>
-        <translation>Nichts bewegt die Kreise: Schreib on_update</translation>
-    </message>
-    <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
         <translation>Dein Programm bewegt die Kreise: Lass on_update weg, dann tun es die Gesetze der Szene</translation>
     </message>
@@ -1007,10 +1003,6 @@
     <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
         <translation>Stöße, die die Kreise beantwortet haben: %1; richtig sind mindestens %2</translation>
-    </message>
-    <message>
-        <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
-        <translation>. Nahe an einer Wand war er %1 s lang, nahe an einem anderen Kreis %2 s: Sieh nach, was er dort tut</translation>
     </message>
     <message>
         <source>Turns at walls, away from the other circle, in %1 s: %2; at least %3 must be seen to judge them</source>
@@ -1089,10 +1081,6 @@
         <translation>In Schritt %1 kam Kreis 1 mit %2 m/s aus dem Stoß und Kreis 2 mit %3 m/s; wo ihre Verbindungslinie der Mittelpunkte nach %4 zeigt, sind %5 und %6 m/s richtig</translation>
     </message>
     <message>
-        <source>By step %1 the circles have run into each other, and they are answered only at step %2, with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
-        <translation>Bis Schritt %1 sind die Kreise ineinander gelaufen, und erst in Schritt %2, bei %3 m Abstand der Mittelpunkte, wird darauf geantwortet; sie sollen antworten, sobald ihr Abstand r₁ + r₂ ist</translation>
-    </message>
-    <message>
         <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
         <translation>%1. In diesem Schritt wird auch eine Wand erreicht: Beurteile ihn, wenn die Wände stimmen</translation>
     </message>
@@ -1111,6 +1099,22 @@
     <message>
         <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
         <translation>In Schritt %1, in dem er nichts berührt, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles met with %2 m/s along the line of centres, and after the hit they still come nearer, with %3 m/s; they should part with e times as much as they met with: with e = %4, %5 m/s</source>
+        <translation>In Schritt %1 trafen sich die Kreise mit %2 m/s längs der Verbindungslinie, und nach dem Stoß nähern sie sich noch immer, mit %3 m/s; trennen sollten sie sich mit dem e-Fachen: bei e = %4 mit %5 m/s</translation>
+    </message>
+    <message>
+        <source>By step %1 the circles have run into each other, and they are answered only in step %2, which begins with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>Bis Schritt %1 sind die Kreise ineinandergelaufen, und beantwortet wird das erst in Schritt %2, an dessen Anfang ihre Mittelpunkte %3 m auseinanderliegen; antworten sollten sie, sobald ihr Abstand r₁ + r₂ ist</translation>
+    </message>
+    <message>
+        <source>. For %1 s it could reach a wall within a step, and for %2 s another circle: look at what it does there</source>
+        <translation>. %1 s lang konnte er innerhalb eines Schritts eine Wand erreichen und %2 s lang einen anderen Kreis: Sieh dir an, was er dort tut</translation>
+    </message>
+    <message>
+        <source>Nothing in your program moves the circles: write on_update</source>
+        <translation>Nichts in deinem Programm bewegt die Kreise: Schreib on_update</translation>
     </message>
 </context>
 <context>

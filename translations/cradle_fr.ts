@@ -981,10 +981,6 @@
         <translation>Les lois de la scène déplacent les cercles</translation>
     </message>
     <message>
-        <source>Nothing moves the circles: write on_update</source>
-        <translation>Rien ne déplace les cercles&#xa0;: écrivez on_update</translation>
-    </message>
-    <message>
         <source>Your program moves the circles: leave on_update out, and the laws of the scene do it</source>
         <translation>Votre programme déplace les cercles&#xa0;: supprimez on_update, et les lois de la scène le feront</translation>
     </message>
@@ -1003,10 +999,6 @@
     <message>
         <source>At step %1 the velocity of circle %2 into the %3 was %4 m/s before the step and %5 m/s after it; with e = %6 and gravity, %7 to %8 m/s is right</source>
         <translation>Au pas %1, la vitesse du cercle %2 vers %3 était de %4 m/s avant le pas et de %5 m/s après&#xa0;; avec e = %6 et la pesanteur, il faut de %7 à %8 m/s</translation>
-    </message>
-    <message>
-        <source>. It was close to a wall for %1 s, and to another circle for %2 s: look at what it does there</source>
-        <translation>. Il est resté près d&apos;une paroi pendant %1 s, et près d&apos;un autre cercle pendant %2 s&#xa0;: regardez ce qu&apos;il y fait</translation>
     </message>
     <message>
         <source>Hits that the circles answered: %1; at least %2 is right</source>
@@ -1089,10 +1081,6 @@
         <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s&#xa0;; là où leur ligne des centres pointe suivant %4, les valeurs justes sont %5 et %6 m/s</translation>
     </message>
     <message>
-        <source>By step %1 the circles have run into each other, and they are answered only at step %2, with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
-        <translation>Au pas %1, les cercles sont entrés l&apos;un dans l&apos;autre, et ils ne réagissent qu&apos;au pas %2, leurs centres à %3 m l&apos;un de l&apos;autre&#xa0;; ils doivent réagir dès que leur distance vaut r₁ + r₂</translation>
-    </message>
-    <message>
         <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
         <translation>%1. Une paroi est aussi atteinte à ce pas&#xa0;: jugez-le quand les parois seront justes</translation>
     </message>
@@ -1111,6 +1099,22 @@
     <message>
         <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
         <translation>Au pas %1, où il ne touche rien, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés quand son mouvement sera juste</translation>
+    </message>
+    <message>
+        <source>At step %1 the circles met with %2 m/s along the line of centres, and after the hit they still come nearer, with %3 m/s; they should part with e times as much as they met with: with e = %4, %5 m/s</source>
+        <translation>Au pas %1, les cercles se sont rencontrés à %2 m/s le long de la ligne des centres, et après le choc ils se rapprochent encore, à %3 m/s&#xa0;; ils devraient se séparer à e fois cette vitesse&#xa0;: avec e = %4, à %5 m/s</translation>
+    </message>
+    <message>
+        <source>By step %1 the circles have run into each other, and they are answered only in step %2, which begins with their centres %3 m apart; they should answer as soon as their distance is r₁ + r₂</source>
+        <translation>Au pas %1, les cercles se sont déjà chevauchés, et la réponse ne vient qu&apos;au pas %2, au début duquel leurs centres sont à %3 m l&apos;un de l&apos;autre&#xa0;; ils devraient répondre dès que leur distance vaut r₁ + r₂</translation>
+    </message>
+    <message>
+        <source>. For %1 s it could reach a wall within a step, and for %2 s another circle: look at what it does there</source>
+        <translation>. Pendant %1 s, il pouvait atteindre une paroi en un pas, et pendant %2 s un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
+    </message>
+    <message>
+        <source>Nothing in your program moves the circles: write on_update</source>
+        <translation>Rien dans votre programme ne déplace les cercles&#xa0;: écrivez on_update</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,19 @@ Fault wrongAnswer(const ContactAnswer &answer, CircleLaw law)
 Fault wrongRebound(const ContactAnswer &answer, double closing, double parting)
 {
     const double right = answer.restitution * closing;
+    if (parting < 0.0)
+        return {.message =
+                    ContactText::tr("At step %1 the circles met with %2 m/s along the line of "
+                                    "centres, and after the hit they still come nearer, with %3 "
+                                    "m/s; they should part with e times as much as they met "
+                                    "with: with e = %4, %5 m/s")
+                        .arg(QString::number(answer.contact.step + 1), motion::figure(closing),
+                             motion::figure(-parting), motion::figure(answer.restitution),
+                             motion::figure(right)),
+                .expected = right,
+                .observed = parting,
+                .unit = QStringLiteral("m/s"),
+                .step = answer.contact.step + 1};
     return {.message =
                 ContactText::tr("At step %1 the circles met with %2 m/s along the line "
                                 "of centres and parted with %3 m/s; e times as much, "
@@ -128,8 +141,8 @@ Fault late(qint64 step, qint64 answered, double centres)
 {
     return {.message =
                 ContactText::tr("By step %1 the circles have run into each other, and they "
-                                "are answered only at step %2, with their centres %3 m "
-                                "apart; they should answer as soon as their distance is "
+                                "are answered only in step %2, which begins with their centres "
+                                "%3 m apart; they should answer as soon as their distance is "
                                 "r₁ + r₂")
                     .arg(QString::number(step), QString::number(answered), motion::figure(centres)),
             .step = step};

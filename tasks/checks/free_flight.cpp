@@ -59,8 +59,8 @@ std::optional<Fault> tooLittleFlight(const CheckSpec &check, const Observation &
                                            "motion")
                                 .arg(QString::number(i + 1), motion::figureBeside(seen, wanted),
                                      motion::figureBeside(wanted, seen))
-                            + FlightText::tr(". It was close to a wall for %1 s, and to another "
-                                             "circle for %2 s: look at what it does there")
+                            + FlightText::tr(". For %1 s it could reach a wall within a step, and "
+                                             "for %2 s another circle: look at what it does there")
                                   .arg(motion::figure(near.wall), motion::figure(near.circle)),
                  .expected = wanted,
                  .observed = seen,

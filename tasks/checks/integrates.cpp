@@ -7,6 +7,7 @@
 #include "tasks/checks/integrator_matching.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/substeps.h"
+#include "tasks/checks/wall_turn.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
@@ -116,8 +117,10 @@ std::optional<Fault> integrates(const CheckSpec &check, const Observation &o)
             if (!motion::isFree(check, o, i, k, gravity))
                 continue;
             ++seen;
-            if (motion::isKicked(o, i, k, gravity, tolerance))
-                return wrongAcceleration(o, i, k, gravity);
+            if (motion::isKicked(o, i, k, gravity, tolerance)) {
+                const auto turned = turnBeforeWall(o, i, k, gravity);
+                return turned ? turned : wrongAcceleration(o, i, k, gravity);
+            }
             std::erase_if(left, [&](Integrator integrator) {
                 return !agrees(integrator, o, i, k, gravity, tolerance);
             });

@@ -19,6 +19,17 @@ struct BounceText {
 
 /// What a wall only holds falls for less than so many steps before it is stopped again.
 constexpr double heldSteps = 1.5;
+/// Relative: what is turned round keeps its speed.
+constexpr double turnedTolerance = 1e-6;
+
+QString beforeTouching(const Observation &o, int circle, qint64 step, Wall ahead)
+{
+    return BounceText::tr("At step %1 circle %2 turned round although its rim was still %3 m "
+                          "from the %4; it should touch first")
+        .arg(QString::number(step + 1), QString::number(circle + 1),
+             motion::figure(motion::wallGap(o, o.circle(circle, step), ahead)),
+             motion::wallName(ahead));
+}
 
 } // namespace
 
@@ -68,12 +79,30 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         return steady;
     if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
         return alongWall(axis, change);
-    return fault(BounceText::tr("At step %1 circle %2 turned round although its rim was still %3 m "
-                                "from the %4; it should touch first")
-                     .arg(QString::number(step + 1), QString::number(circle + 1),
-                          motion::figure(motion::wallGap(o, before, ahead)),
-                          motion::wallName(ahead)),
-                 kept, after);
+    return fault(beforeTouching(o, circle, step, ahead), kept, after);
+}
+
+std::optional<Fault> turnBeforeWall(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Vec2 kept = o.circle(i, k).velocity + o.timestep() * gravity;
+    const Vec2 after = o.circle(i, k + 1).velocity;
+    double widest = 0.0;
+    for (int j = 0; j < o.circleCount(); ++j)
+        widest = std::max(widest, 2.0 * o.circle(j, k).radius);
+    for (const Wall wall : allWalls) {
+        const Vec2 n = outwardNormal(wall);
+        const double speed = dot(kept, n);
+        const bool isTurned =
+            quickLength(after - (kept - 2.0 * speed * n)) <= turnedTolerance * quickLength(kept);
+        if (speed > 0.0 && isTurned && motion::wallGap(o, o.circle(i, k), wall) <= widest)
+            return Fault{.message = beforeTouching(o, i, k, wall),
+                         .expected = speed,
+                         .observed = -speed,
+                         .unit = QStringLiteral("m/s"),
+                         .step = k + 1,
+                         .circle = i};
+    }
+    return std::nullopt;
 }
 
 Fault Turn::alongWall(Vec2 axis, double change) const

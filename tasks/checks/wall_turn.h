@@ -38,4 +38,9 @@ private:
     [[nodiscard]] Fault fault(const QString &text, double expected, double observed) const;
 };
 
+/// Where circle \p i, in a step in which it meets nothing, turns round as off the wall ahead of it,
+/// no further from it than a circle is wide: that it does so before it touches.
+[[nodiscard]] std::optional<Fault> turnBeforeWall(const Observation &o, int i, qint64 k,
+                                                  Vec2 gravity);
+
 } // namespace cradle::kinds

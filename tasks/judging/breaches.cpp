@@ -26,9 +26,10 @@ std::optional<CheckOutcome> moverBreach(const Task &task, bool byProgram)
         .id = QStringLiteral("moves"),
         .title = idle ? BreachText::tr("Your program moves the circles")
                       : BreachText::tr("The laws of the scene move the circles"),
-        .message = idle ? BreachText::tr("Nothing moves the circles: write on_update")
-                        : BreachText::tr("Your program moves the circles: leave on_update out, and "
-                                         "the laws of the scene do it")};
+        .message =
+            idle ? BreachText::tr("Nothing in your program moves the circles: write on_update")
+                 : BreachText::tr("Your program moves the circles: leave on_update out, and "
+                                  "the laws of the scene do it")};
 }
 
 std::optional<CheckOutcome> lockBreach(const Task &task, const Preset &submitted)
