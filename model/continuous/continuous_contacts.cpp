@@ -60,9 +60,9 @@ bool ContinuousStep::isCollapse(const Contact &contact)
 
 void ContinuousStep::resolve(std::vector<Hit> &hits)
 {
-    m_contacts.clear();
-    m_hits.clear();
-    for (const Event &event : m_taken)
+    m_moment.contacts.clear();
+    m_moment.hits.clear();
+    for (const Event &event : m_moment.events)
         meet(event);
     addSupports();
 
@@ -72,14 +72,14 @@ void ContinuousStep::resolve(std::vector<Hit> &hits)
     else
         respondTogether();
 
-    for (std::size_t i = 0; i < m_hits.size(); ++i) {
-        Hit &hit = m_hits[i];
+    for (std::size_t i = 0; i < m_moment.hits.size(); ++i) {
+        Hit &hit = m_moment.hits[i];
         Circle &a = m_world->circles[at(hit.a)];
         const bool wall = hit.kind == Hit::Kind::Wall;
         hit.afterA = a.velocity;
         hit.afterB = wall ? Vec2{} : m_world->circles[at(hit.b)].velocity;
-        hit.impulse = m_contacts[i].impulse;
-        hit.loss = m_contacts[i].loss;
+        hit.impulse = m_moment.contacts[i].impulse;
+        hit.loss = m_moment.contacts[i].loss;
         if (dot(hit.beforeA - hit.beforeB, hit.normal) > m_slow)
             hits.push_back(hit);
     }
@@ -89,22 +89,23 @@ void ContinuousStep::resolve(std::vector<Hit> &hits)
 /// same push to and fro, each time a little less.
 void ContinuousStep::addSupports()
 {
-    if (std::none_of(m_contacts.begin(), m_contacts.end(),
+    if (std::none_of(m_moment.contacts.begin(), m_moment.contacts.end(),
                      [](const Contact &contact) { return contact.rests; }))
         return;
     for (const std::size_t i : m_touched) {
         for (const Wall wall : allWalls) {
             if (isHeld(i, outwardNormal(wall)))
-                m_contacts.push_back({.a = static_cast<int>(i), .normal = outwardNormal(wall)});
+                m_moment.contacts.push_back(
+                    {.a = static_cast<int>(i), .normal = outwardNormal(wall)});
         }
     }
-    for (const auto &pair : m_resting) {
+    for (const auto &pair : m_rest.pairs) {
         const Contact contact = contactOf(pair);
-        const bool met = std::any_of(m_contacts.begin(), m_contacts.end(), [&](const Contact &c) {
-            return c.a == contact.a && c.b == contact.b;
-        });
+        const bool met =
+            std::any_of(m_moment.contacts.begin(), m_moment.contacts.end(),
+                        [&](const Contact &c) { return c.a == contact.a && c.b == contact.b; });
         if (m_bodies[at(pair.first)].touched && !met && std::abs(closingSpeed(contact)) <= m_slow)
-            m_contacts.push_back(contact);
+            m_moment.contacts.push_back(contact);
     }
 }
 
@@ -143,27 +144,27 @@ void ContinuousStep::meet(const Event &event)
     const bool drifted = !event.wall && m_bodies[at(event.a)].drifts;
     if (!event.wall && (contact.rests || drifted || m_bodies[at(event.b)].drifts))
         rest({event.a, event.b});
-    m_contacts.push_back(contact);
-    m_hits.push_back(hit);
+    m_moment.contacts.push_back(contact);
+    m_moment.hits.push_back(hit);
 }
 
 void ContinuousStep::respondTogether()
 {
-    solveContacts(m_contacts, m_inverseMasses);
+    solveContacts(m_moment.contacts, m_inverseMasses);
     // Changes are summed before they are applied, so that mirrored contacts stay mirrored.
-    for (Contact &contact : m_contacts) {
+    for (Contact &contact : m_moment.contacts) {
         const double unit = m_inverseMasses[at(contact.a)];
-        m_changes[at(contact.a)] -= (contact.impulse * unit) * contact.normal;
+        m_moment.changes[at(contact.a)] -= (contact.impulse * unit) * contact.normal;
         if (contact.b >= 0)
-            m_changes[at(contact.b)] +=
+            m_moment.changes[at(contact.b)] +=
                 (contact.impulse * m_inverseMasses[at(contact.b)]) * contact.normal;
     }
     // A change Δ out of the whole change of v to v' takes −½ m (v + v')·Δ of the energy.
     const auto loss = [this](int body, Vec2 change) {
         const Circle &c = m_world->circles[at(body)];
-        return -0.5 * mass(c) * dot(2.0 * c.velocity + m_changes[at(body)], change);
+        return -0.5 * mass(c) * dot(2.0 * c.velocity + m_moment.changes[at(body)], change);
     };
-    for (Contact &contact : m_contacts) {
+    for (Contact &contact : m_moment.contacts) {
         const double unit = m_inverseMasses[at(contact.a)];
         contact.loss = loss(contact.a, -(contact.impulse * unit) * contact.normal);
         if (contact.b >= 0)
@@ -171,17 +172,18 @@ void ContinuousStep::respondTogether()
                                                 * contact.normal);
         contact.impulse *= unit * mass(m_world->circles[at(contact.a)]);
     }
-    for (const Contact &contact : m_contacts) {
+    for (const Contact &contact : m_moment.contacts) {
         for (const int body : {contact.a, contact.b}) {
             if (body >= 0)
-                m_world->circles[at(body)].velocity += std::exchange(m_changes[at(body)], Vec2{});
+                m_world->circles[at(body)].velocity +=
+                    std::exchange(m_moment.changes[at(body)], Vec2{});
         }
     }
 }
 
 void ContinuousStep::respondInTurn()
 {
-    for (Contact &contact : m_contacts) {
+    for (Contact &contact : m_moment.contacts) {
         Circle &a = m_world->circles[at(contact.a)];
         const Circle before = a;
         if (contact.b < 0) {

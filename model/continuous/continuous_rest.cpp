@@ -21,7 +21,7 @@ constexpr double mostRepaired = 1e-4;
 
 void ContinuousStep::findRestingPairs()
 {
-    m_resting.clear();
+    m_rest.pairs.clear();
     if (m_rules->laws.circles == CircleLaw::None)
         return;
     const auto &circles = m_world->circles;
@@ -43,9 +43,9 @@ void ContinuousStep::findRestingPairs()
 /// Notes that two stay in touch; they move alike from now on, whatever their integrators.
 void ContinuousStep::rest(std::pair<int, int> pair)
 {
-    const auto place = std::lower_bound(m_resting.begin(), m_resting.end(), pair);
-    if (place == m_resting.end() || *place != pair)
-        m_resting.insert(place, pair);
+    const auto place = std::lower_bound(m_rest.pairs.begin(), m_rest.pairs.end(), pair);
+    if (place == m_rest.pairs.end() || *place != pair)
+        m_rest.pairs.insert(place, pair);
     m_bodies[at(pair.first)].integrator = Integrator::Verlet;
     m_bodies[at(pair.second)].integrator = Integrator::Verlet;
 }
@@ -56,19 +56,19 @@ bool ContinuousStep::isHeld(std::size_t body, Vec2 n) const
     const double gap = m_rules->halfWidth - c.radius - dot(c.position, n);
     return m_rules->laws.walls == WallLaw::Reflect && gap <= touching * c.radius
            && std::abs(dot(c.velocity, n)) <= m_slow
-           && (dot(m_rules->gravity, n) > 0.0 || !m_resting.empty());
+           && (dot(m_rules->gravity, n) > 0.0 || !m_rest.pairs.empty());
 }
 
 void ContinuousStep::findAccelerations()
 {
-    std::erase_if(m_held, [this](const std::pair<int, int> &pair) {
+    std::erase_if(m_rest.held, [this](const std::pair<int, int> &pair) {
         return m_bodies[at(pair.first)].touched || m_bodies[at(pair.second)].touched;
     });
     for (const std::size_t i : m_touched) {
         m_bodies[i].acceleration = m_rules->gravity;
         m_bodies[i].drifts = false;
     }
-    m_contacts.clear();
+    m_rest.contacts.clear();
     if (m_dt - m_now <= 0.0)
         return;
     findPiles();
@@ -81,33 +81,34 @@ void ContinuousStep::findAccelerations()
 /// that gravity could bring them together in a step, belongs to the pile.
 void ContinuousStep::findPiles()
 {
-    if (!m_lossy || m_rules->gravity == Vec2{} || m_rules->laws.walls != WallLaw::Reflect)
+    if (!isLossy() || m_rules->gravity == Vec2{} || m_rules->laws.walls != WallLaw::Reflect)
         return;
     const double gain = length(m_rules->gravity) * m_dt; // what leaves faster is not of it
-    m_marks.assign(m_bodies.size(), 0);
+    m_rest.marks.assign(m_bodies.size(), 0);
+    std::vector<std::size_t> open; // of the pile, still to be looked around
     for (const std::size_t i : m_touched) {
         for (const Wall wall : allWalls) {
             const Contact contact{.a = static_cast<int>(i), .normal = outwardNormal(wall)};
             if (dot(m_rules->gravity, contact.normal) <= 0.0 || !staysClose(contact)
                 || closingSpeed(contact) < -gain)
                 continue;
-            m_pile.push_back(i);
-            m_marks[i] = 1;
+            open.push_back(i);
+            m_rest.marks[i] = 1;
             break;
         }
     }
-    while (!m_pile.empty()) {
-        const std::size_t i = m_pile.back();
-        m_pile.pop_back();
+    while (!open.empty()) {
+        const std::size_t i = open.back();
+        open.pop_back();
         for (const std::uint32_t j : m_neighbours.of(i)) {
             const std::pair<int, int> pair = std::minmax(static_cast<int>(i), static_cast<int>(j));
             if (!m_bodies[j].touched || !staysClose(contactOf(pair))
                 || closingSpeed(contactOf(pair)) < -gain)
                 continue;
             rest(pair);
-            if (m_marks[j] == 0)
-                m_pile.push_back(j);
-            m_marks[j] = 1;
+            if (m_rest.marks[j] == 0)
+                open.push_back(j);
+            m_rest.marks[j] = 1;
         }
     }
 }
@@ -116,25 +117,25 @@ void ContinuousStep::findPiles()
 /// need if nothing else held them: as far as their gap can be closed in the rest of the step.
 void ContinuousStep::addPairs()
 {
-    for (const auto &pair : m_resting) {
+    for (const auto &pair : m_rest.pairs) {
         if (!m_bodies[at(pair.first)].touched)
             continue;
         Contact contact = contactOf(pair);
         const double closing = closingSpeed(contact);
         if (std::abs(closing) > m_slow && !staysClose(contact))
             continue;
-        if (m_lossy)
+        if (isLossy())
             contact.change = closing - freeSpeed(contact);
-        m_contacts.push_back(contact);
+        m_rest.contacts.push_back(contact);
     }
 }
 
 /// Adds what the walls do to those circles; others they hold by themselves, exactly.
 void ContinuousStep::addWalls()
 {
-    m_marks.assign(m_bodies.size(), 0);
-    for (const Contact &contact : m_contacts)
-        m_marks[at(contact.a)] = m_marks[at(contact.b)] = 1;
+    m_rest.marks.assign(m_bodies.size(), 0);
+    for (const Contact &contact : m_rest.contacts)
+        m_rest.marks[at(contact.a)] = m_rest.marks[at(contact.b)] = 1;
     const double end = m_dt - m_now;
     for (const std::size_t i : m_touched) {
         Circle &c = m_world->circles[i];
@@ -145,18 +146,18 @@ void ContinuousStep::addWalls()
             // What a wall holds is held exactly, or rounding would let it go.
             if (held)
                 c.velocity -= dot(c.velocity, n) * n;
-            if (m_marks[i] == 0) {
+            if (m_rest.marks[i] == 0) {
                 if (held && dot(m_bodies[i].acceleration, n) > 0.0)
                     m_bodies[i].acceleration -= dot(m_bodies[i].acceleration, n) * n;
                 continue;
             }
             if (m_rules->laws.walls != WallLaw::Reflect
-                || !(held || (m_lossy && staysClose(contact))))
+                || !(held || (isLossy() && staysClose(contact))))
                 continue;
             contact.change = end * dot(m_rules->gravity, n);
-            if (m_lossy)
+            if (isLossy())
                 contact.change += closingSpeed(contact) - freeSpeed(contact);
-            m_contacts.push_back(contact);
+            m_rest.contacts.push_back(contact);
         }
     }
 }
@@ -166,27 +167,27 @@ void ContinuousStep::addWalls()
 void ContinuousStep::hold()
 {
     const double end = m_dt - m_now;
-    solveContacts(m_contacts, m_inverseMasses);
-    for (const Contact &contact : m_contacts) {
+    solveContacts(m_rest.contacts, m_inverseMasses);
+    for (const Contact &contact : m_rest.contacts) {
         if (contact.impulse <= 0.0)
             continue;
         const Vec2 push = (contact.impulse / end) * contact.normal;
         Body &a = m_bodies[at(contact.a)];
         a.acceleration -= m_inverseMasses[at(contact.a)] * push;
-        a.drifts = m_lossy;
+        a.drifts = isLossy();
         if (contact.b < 0)
             continue;
         Body &b = m_bodies[at(contact.b)];
         b.acceleration += m_inverseMasses[at(contact.b)] * push;
-        b.drifts = m_lossy;
+        b.drifts = isLossy();
     }
     // Walls hold exactly what the contacts leave undone by rounding.
-    for (const Contact &contact : m_contacts) {
+    for (const Contact &contact : m_rest.contacts) {
         Vec2 &a = m_bodies[at(contact.a)].acceleration;
         const Vec2 n = contact.normal;
-        if (contact.b >= 0 || (!m_lossy && contact.impulse <= 0.0))
+        if (contact.b >= 0 || (!isLossy() && contact.impulse <= 0.0))
             continue;
-        if (m_lossy && (contact.impulse <= 0.0 || !isHeld(at(contact.a), n))) {
+        if (isLossy() && (contact.impulse <= 0.0 || !isHeld(at(contact.a), n))) {
             const double atEnd = closingSpeed(contact) + end * dot(a, n);
             a -= (std::max(0.0, atEnd - std::max(0.0, freeSpeed(contact))) / end) * n;
         } else {
@@ -196,20 +197,20 @@ void ContinuousStep::hold()
     spreadDrift();
     for (const std::size_t i : m_touched)
         m_bodies[i].drift = m_world->circles[i].velocity + end * m_bodies[i].acceleration;
-    for (const Contact &contact : m_contacts) {
+    for (const Contact &contact : m_rest.contacts) {
         if (contact.b >= 0 && m_bodies[at(contact.a)].drifts)
-            m_held.emplace_back(contact.a, contact.b);
+            m_rest.held.emplace_back(contact.a, contact.b);
     }
-    std::sort(m_held.begin(), m_held.end());
+    std::sort(m_rest.held.begin(), m_rest.held.end());
 }
 
 /// Beside one that drifts the others drift, too: that they cannot meet holds of even motions.
 void ContinuousStep::spreadDrift()
 {
-    bool grown = m_lossy;
+    bool grown = isLossy();
     while (grown) {
         grown = false;
-        for (const Contact &contact : m_contacts) {
+        for (const Contact &contact : m_rest.contacts) {
             if (contact.b < 0)
                 continue;
             Body &a = m_bodies[at(contact.a)];
@@ -248,7 +249,7 @@ bool ContinuousStep::staysClose(const Contact &contact) const
     const double closing = closingSpeed(contact);
     const double gain = length(m_rules->gravity) * m_dt; // m/s that a step gives at most
     const double along = std::abs(dot(m_rules->gravity, contact.normal)) * m_dt;
-    return m_lossy && closing <= gain && 2.0 * m_rules->restitution * closing <= along
+    return isLossy() && closing <= gain && 2.0 * m_rules->restitution * closing <= along
            && gapOf(contact) <= 2.0 * gain * (m_dt - m_now);
 }
 

@@ -61,13 +61,12 @@ void ContinuousStep::run(const Rules &rules, World &world, double dt, std::vecto
 void ContinuousStep::begin()
 {
     m_now = 0.0;
-    m_lossy = m_rules->laws.circles == CircleLaw::Impulse && m_rules->restitution < 1.0;
     m_events.clear();
-    m_held.clear();
+    m_rest.held.clear();
     m_touched.clear();
     m_bodies.assign(m_world->circles.size(), Body{});
     m_inverseMasses.resize(m_bodies.size());
-    m_changes.assign(m_bodies.size(), Vec2{});
+    m_moment.changes.assign(m_bodies.size(), Vec2{});
     double fastest = 0.0;
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
         fastest = std::max(fastest, lengthSquared(m_world->circles[i].velocity));
@@ -100,7 +99,7 @@ void ContinuousStep::touchRestingNeighbours()
     bool grown = true;
     while (grown) {
         grown = false;
-        for (const auto &[a, b] : m_resting) {
+        for (const auto &[a, b] : m_rest.pairs) {
             if (m_bodies[at(a)].touched != m_bodies[at(b)].touched) {
                 touch(at(a));
                 touch(at(b));
@@ -217,9 +216,9 @@ void ContinuousStep::findPairEvent(std::size_t i, std::size_t j)
         || std::abs(d.y) > distance + end * (std::abs(v.y) + end * std::abs(k.y)))
         return;
     const std::pair<int, int> pair(static_cast<int>(i), static_cast<int>(j));
-    if (std::binary_search(m_held.begin(), m_held.end(), pair))
+    if (std::binary_search(m_rest.held.begin(), m_rest.held.end(), pair))
         return;
-    const bool resting = std::binary_search(m_resting.begin(), m_resting.end(), pair);
+    const bool resting = std::binary_search(m_rest.pairs.begin(), m_rest.pairs.end(), pair);
     if (resting && std::abs(closingSpeed(contactOf(pair))) <= m_slow)
         return;
     if (const auto s = timeToDistance(a, b, distance, end))
@@ -248,19 +247,19 @@ void ContinuousStep::carryTo(std::size_t body, double time)
 
 void ContinuousStep::takeEventsAt(double time)
 {
-    m_taken.clear();
+    m_moment.events.clear();
     while (!m_events.empty() && m_events.front().time <= time + simultaneous * m_dt) {
         std::pop_heap(m_events.begin(), m_events.end(), later);
         if (isValid(m_events.back()))
-            m_taken.push_back(m_events.back());
+            m_moment.events.push_back(m_events.back());
         m_events.pop_back();
     }
-    for (const Event &event : m_taken) {
+    for (const Event &event : m_moment.events) {
         touch(at(event.a));
         if (!event.wall)
             touch(at(event.b));
     }
-    std::sort(m_taken.begin(), m_taken.end(), [](const Event &x, const Event &y) {
+    std::sort(m_moment.events.begin(), m_moment.events.end(), [](const Event &x, const Event &y) {
         return std::tuple(x.wall, x.a, x.b) < std::tuple(y.wall, y.a, y.b);
     });
     touchRestingNeighbours();

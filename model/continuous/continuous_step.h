@@ -31,7 +31,10 @@ public:
     void run(const Rules &rules, World &world, double dt, std::vector<Hit> &hits);
 
     /// Pairs that lay on each other in the latest step and may still do.
-    [[nodiscard]] const std::vector<std::pair<int, int>> &restingPairs() const { return m_resting; }
+    [[nodiscard]] const std::vector<std::pair<int, int>> &restingPairs() const
+    {
+        return m_rest.pairs;
+    }
 
 private:
     /// Of the radius: a deeper overlap is none that this timing leaves, and is parted. One that a
@@ -57,7 +60,26 @@ private:
         std::uint32_t versionA = 0;
         std::uint32_t versionB = 0;
     };
+    /// What meets at one moment.
+    struct Moment {
+        std::vector<Event> events;
+        std::vector<Contact> contacts; ///< of these, and what holds who comes to rest
+        std::vector<Hit> hits;         ///< one per event
+        std::vector<Vec2> changes;     ///< of the velocities, m/s; zero between uses
+    };
+    /// What rests, and how it is held.
+    struct Rest {
+        std::vector<std::pair<int, int>> pairs; ///< that lie on each other, in order
+        std::vector<std::pair<int, int>> held;  ///< those that drift and cannot meet, in order
+        std::vector<Contact> contacts;          ///< that hold who was touched
+        std::vector<char> marks;                ///< of bodies: seen, or in a contact with another
+    };
 
+    /// Whether circles rebound slower than they meet.
+    [[nodiscard]] bool isLossy() const
+    {
+        return m_rules->laws.circles == CircleLaw::Impulse && m_rules->restitution < 1.0;
+    }
     [[nodiscard]] static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
     // Motion and events: continuous_step.cpp
@@ -106,22 +128,15 @@ private:
     const Rules *m_rules = nullptr; ///< of the step that runs
     World *m_world = nullptr;
     double m_dt = 0.0;
-    double m_now = 0.0;   ///< s into the step
-    double m_slow = 0.0;  ///< m/s; closing speeds up to this are rest
-    bool m_lossy = false; ///< circles rebound slower than they meet
+    double m_now = 0.0;  ///< s into the step
+    double m_slow = 0.0; ///< m/s; closing speeds up to this are rest
     ContinuousNeighbours m_neighbours;
     std::vector<Body> m_bodies;
     std::vector<double> m_inverseMasses;
     std::vector<std::size_t> m_touched; ///< bodies, in order once a moment is taken
     std::vector<Event> m_events;        ///< that lie inside the step, a heap, the earliest first
-    std::vector<Event> m_taken;         ///< those of this moment
-    std::vector<Contact> m_contacts;
-    std::vector<Hit> m_hits;                    ///< one per contact of this moment
-    std::vector<Vec2> m_changes;                ///< of the velocities, m/s; zero between uses
-    std::vector<std::pair<int, int>> m_resting; ///< pairs that lie on each other, in order
-    std::vector<std::pair<int, int>> m_held;    ///< those that drift and cannot meet, in order
-    std::vector<std::size_t> m_pile;            ///< bodies still to be looked around
-    std::vector<char> m_marks;                  ///< of bodies: seen, or in a contact with another
+    Moment m_moment;                    ///< the latest
+    Rest m_rest;
 };
 
 } // namespace cradle
