@@ -196,6 +196,9 @@ void TestProgramLines::rowsTellWhatTheyDo()
     QCOMPARE(takes(QStringLiteral("if gap < 0"), local), true);
     QCOMPARE(takes(QStringLiteral("if gaps < 0"), local), false);
     QCOMPARE(takes(QStringLiteral("if gap < 0"), QStringLiteral("gap = 1")), false);
+    QCOMPARE(withName(QStringLiteral("a.v = a_1 * (ba - a) + va.a"), QStringLiteral("a"),
+                      QStringLiteral("other")),
+             QStringLiteral("other.v = a_1 * (ba - other) + va.other"));
     QCOMPARE(rowsOf(QStringLiteral("x = 1 -- one\n--\ny")),
              (QStringList{QStringLiteral("x = 1 "), QString(), QStringLiteral("y")}));
 }

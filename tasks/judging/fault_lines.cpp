@@ -93,10 +93,11 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
         return 0;
     const Aspect aspect = aspectOf(deviation);
     const std::vector<LawDeviation> all = m_deviations.besides(m_own, aspect);
+    std::unique_ptr<const Mended> tried; // what is said of later findings asks its laws again
     const auto mending = [&](const QString &program) {
-        const MeasuredLaws laws(&program, m_ground);
-        return seesAsMuch(laws, aspect, before)
-                   ? mendingOf(deviation, all, m_deviations.besides(laws, aspect))
+        tried = std::make_unique<Mended>(program, m_ground);
+        return seesAsMuch(tried->laws, aspect, before)
+                   ? mendingOf(deviation, all, m_deviations.besides(tried->laws, aspect))
                    : Mending::None;
     };
     // A second fault is looked for where the first is mended: there it stands alone.
@@ -115,7 +116,9 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
         {program, m_task.solution, moment, ran, deviation.suspect, last, aspect, passes, measured});
     if (!repair)
         return 0;
-    m_mended.push_back(std::make_unique<Mended>(repair->source, m_ground));
+    if (!tried || tried->program != repair->source)
+        tried = std::make_unique<Mended>(repair->source, m_ground);
+    m_mended.push_back(std::move(tried));
     return repair->line;
 }
 

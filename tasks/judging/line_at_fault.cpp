@@ -163,9 +163,11 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     const bool isOfMasses = query.suspect == Suspect::Masses;
     const std::vector<int> all = suspects(query);
     std::vector<int> near;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(near), [&](int line) {
-        return isOfQuestion(query.suspect) || isOfMasses || !query.ran.before.contains(line);
-    });
+    std::vector<int> far;
+    std::partition_copy(
+        all.begin(), all.end(), std::back_inserter(near), std::back_inserter(far), [&](int line) {
+            return isOfQuestion(query.suspect) || isOfMasses || !query.ran.before.contains(line);
+        });
     const std::vector<int> &valued = query.aspect == Aspect::Response ? near : all;
     std::vector<Repair> changes;
     SoundValues sound(query.program, query.moment);
@@ -180,10 +182,9 @@ std::vector<Repair> changesOf(const FaultQuery &query)
         addValues(query.suspect, ValueChange::Replaced);
     const std::size_t most = mostRepairs(query.suspect);
     std::vector<Repair> words = repairsOf(query.program, query.reference, near, most);
-    const bool isWhole = words.size() >= most || near.size() == all.size();
+    const std::size_t room = most - words.size();
     add(std::move(words));
-    if (!isWhole)
-        add(repairsOf(query.program, query.reference, all, most));
+    add(repairsOf(query.program, query.reference, far, room));
     if (isOfMasses)
         addValues(query.suspect, ValueChange::Replaced);
     else if (query.aspect == Aspect::Response)

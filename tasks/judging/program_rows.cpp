@@ -26,8 +26,9 @@ int worksOut(const QString &row)
     if (!row.contains(assigns) || row.contains(QLatin1String("position"))
         || row.contains(QLatin1String("sqrt")))
         return 0;
-    return 2 * static_cast<int>(row.count(QRegularExpression(QStringLiteral("[*/^]"))))
-           + static_cast<int>(row.count(QRegularExpression(QStringLiteral("[-+]"))));
+    static const QRegularExpression product(QStringLiteral("[*/^]"));
+    static const QRegularExpression sum(QStringLiteral("[-+]"));
+    return 2 * static_cast<int>(row.count(product)) + static_cast<int>(row.count(sum));
 }
 
 bool asksForWall(const QString &row)
@@ -37,12 +38,29 @@ bool asksForWall(const QString &row)
     return row.contains(wall);
 }
 
+QString withName(const QString &row, const QString &name, const QString &other)
+{
+    const auto isOfName = [&](qsizetype at) {
+        return at >= 0 && at < row.size()
+               && (row[at] == QLatin1Char('_')
+                   || (row[at].unicode() < 128 && row[at].isLetterOrNumber()));
+    };
+    QString changed;
+    qsizetype done = 0;
+    for (qsizetype at = row.indexOf(name); at >= 0; at = row.indexOf(name, at + name.size())) {
+        if (isOfName(at - 1) || isOfName(at + name.size()))
+            continue;
+        changed += row.mid(done, at - done) + other;
+        done = at + name.size();
+    }
+    return changed + row.mid(done);
+}
+
 bool takes(const QString &row, const QString &giving)
 {
     static const QRegularExpression local(QStringLiteral("^\\s*local\\s+(\\w+)\\s*="));
     const QRegularExpressionMatch match = local.match(giving);
-    return match.hasMatch()
-           && row.contains(QRegularExpression(QStringLiteral("\\b%1\\b").arg(match.captured(1))));
+    return match.hasMatch() && withName(row, match.captured(1), {}) != row;
 }
 
 RowRange functionOf(const QStringList &rows, int line)

@@ -20,6 +20,9 @@ namespace cradle {
 /// Whether a line asks for a wall.
 [[nodiscard]] bool asksForWall(const QString &row);
 
+/// The line with one name, wherever it stands in it, in place of another.
+[[nodiscard]] QString withName(const QString &row, const QString &name, const QString &other);
+
 /// Whether a line takes what another, a local value, gives.
 [[nodiscard]] bool takes(const QString &row, const QString &giving);
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/program_rows.h"
 #include "tasks/judging/repair_list.h"
 
 #include <QRegularExpression>
@@ -159,8 +160,7 @@ void exchangePartners(RepairList &repairs, int line)
         done << token.text << partner;
         QString row = program.row(line);
         const QString mark(QChar(1));
-        row.replace(QRegularExpression(QStringLiteral("\\b%1\\b").arg(token.text)), mark);
-        row.replace(QRegularExpression(QStringLiteral("\\b%1\\b").arg(partner)), token.text);
+        row = withName(withName(row, token.text, mark), partner, token.text);
         row.replace(mark, partner);
         repairs.replace(line, program.startOf(line),
                         program.startOf(line) + program.row(line).size(), row);

@@ -51,6 +51,7 @@ public:
 private:
     /// Once, also where several ways lead to it.
     void add(const QString &source, int line, bool alone);
+    [[nodiscard]] std::size_t roomForTwins() const { return m_most / 4; }
     void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text);
 
     const ProgramLines &m_program;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/program_rows.h"
 #include "tasks/judging/repair_list.h"
 
 #include <QRegularExpression>
@@ -119,13 +120,10 @@ void exchangeBody(RepairList &repairs, int line)
     const QStringList bodies = program.bodiesNear(line);
     const QString row = program.row(line);
     for (const QString &from : bodies) {
-        const QRegularExpression name(QStringLiteral("\\b%1\\b").arg(from));
-        if (!row.contains(name))
-            continue;
         for (const QString &to : bodies) {
             if (to != from)
                 repairs.replace(line, program.startOf(line), program.startOf(line) + row.size(),
-                                QString(row).replace(name, to));
+                                withName(row, from, to));
         }
     }
 }

@@ -43,6 +43,8 @@ void RepairList::replaceTelling(int line, qsizetype from, qsizetype to, const QS
 
 void RepairList::replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text)
 {
+    if (m_twins.size() >= roomForTwins())
+        return;
     std::vector<Edit> edits{{from, to, text}};
     for (const int twin : m_program.twinsOf(line)) {
         const auto start = m_program.placeIn(line, twin, from);
@@ -71,11 +73,9 @@ void RepairList::add(const QString &source, int line, bool alone)
 std::vector<Repair> RepairList::take()
 {
     // What is the same in several lines is tried at last, but not left out.
-    const std::size_t room = std::min(m_twins.size(), m_most / 4);
-    if (m_repairs.size() > m_most - room)
-        m_repairs.resize(m_most - room);
-    std::move(m_twins.begin(), m_twins.begin() + static_cast<std::ptrdiff_t>(room),
-              std::back_inserter(m_repairs));
+    if (m_repairs.size() > m_most - m_twins.size())
+        m_repairs.resize(m_most - m_twins.size());
+    std::move(m_twins.begin(), m_twins.end(), std::back_inserter(m_repairs));
     return std::move(m_repairs);
 }
 

@@ -170,16 +170,24 @@ bool SoundValues::has(qsizetype from, qsizetype to, const QStringList &quantitie
     return known != m_known.cend() ? *known : *m_known.insert(program, reaches(program, m_moment));
 }
 
+const NamesAtHand &SoundValues::namesAt(int line)
+{
+    const auto known = m_names.find(line);
+    return known != m_names.end()
+               ? known->second
+               : m_names.emplace(line, NamesAtHand(m_program, m_assignments, m_functions, line))
+                     .first->second;
+}
+
 std::set<int> soundLines(SoundValues &sound, const std::vector<int> &lines, Aspect aspect,
                          Suspect suspect)
 {
-    const ProgramLines program(sound.source());
+    const ProgramLines &program = sound.program();
     const RepairList repairs(program, true, 0);
     std::set<int> found;
     for (const int line : lines) {
         const std::vector<Value> values = valuesAt(repairs, line, aspect);
-        const NamesAtHand names(program, repairs.assignments(), repairs.functions(), line);
-        const Quantities quantities(names, program.timesteps(), aspect, suspect);
+        const Quantities quantities(sound.namesAt(line), program.timesteps(), aspect, suspect);
         const bool isRight = std::all_of(values.begin(), values.end(), [&](const Value &value) {
             const qsizetype from = program.tokens()[value.from].start;
             return sound.has(from, program.tokens()[value.to - 1].end(), quantities.sound());
@@ -193,8 +201,8 @@ std::set<int> soundLines(SoundValues &sound, const std::vector<int> &lines, Aspe
 std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &lines, Aspect aspect,
                                    Suspect suspect, const std::set<int> &now, ValueChange change)
 {
-    const QString &source = sound.source();
-    const ProgramLines program(source);
+    const ProgramLines &program = sound.program();
+    const QString &source = program.source();
     RepairList repairs(program, true, mostValueRepairs);
     const std::set<int> inOrder(lines.begin(), lines.end());
     std::vector<int> order(inOrder.begin(), inOrder.end());
@@ -208,8 +216,7 @@ std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &l
         const std::vector<Value> values = valuesAt(repairs, line, aspect);
         if (values.empty())
             continue;
-        const NamesAtHand names(program, repairs.assignments(), repairs.functions(), line);
-        const Quantities quantities(names, program.timesteps(), aspect, suspect);
+        const Quantities quantities(sound.namesAt(line), program.timesteps(), aspect, suspect);
         for (const Value &value : values) {
             const qsizetype from = program.tokens()[value.from].start;
             const qsizetype to = program.tokens()[value.to - 1].end();

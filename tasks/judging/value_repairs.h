@@ -3,10 +3,12 @@
 #pragma once
 
 #include "tasks/judging/deviation.h"
+#include "tasks/judging/names_at_hand.h"
 #include "tasks/judging/repairs.h"
 
 #include <QHash>
 
+#include <map>
 #include <set>
 
 namespace cradle {
@@ -17,7 +19,7 @@ enum class ValueChange {
     Replaced,  ///< by what the aspect needs: a normal, a distance, the place where a wall turns
 };
 
-/// Tells of values of a program whether they are right up to a moment; each is asked once.
+/// A program, of whose values it tells whether they are right up to a moment; each is asked once.
 class SoundValues
 {
 public:
@@ -25,16 +27,25 @@ public:
     SoundValues(const QString &source, const Moment &moment)
         : m_source(source)
         , m_moment(moment)
+        , m_program(source)
+        , m_assignments(assignmentsOf(m_program))
+        , m_functions(functionsOf(m_program))
     {
     }
 
-    [[nodiscard]] const QString &source() const { return m_source; }
+    [[nodiscard]] const ProgramLines &program() const { return m_program; }
+    /// What is at hand in a line; it is found once.
+    [[nodiscard]] const NamesAtHand &namesAt(int line);
     /// Whether what stands at \p from to \p to of the source is always the same of \p quantities.
     [[nodiscard]] bool has(qsizetype from, qsizetype to, const QStringList &quantities);
 
 private:
     const QString &m_source;
     const Moment &m_moment;
+    ProgramLines m_program;
+    std::vector<ProgramAssignment> m_assignments;
+    std::vector<ProgramFunction> m_functions;
+    std::map<int, NamesAtHand> m_names{};
     QHash<QString, bool> m_known{}; ///< by the program that asks
 };
 
