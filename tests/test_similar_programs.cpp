@@ -29,6 +29,7 @@ private slots:
     void sharedLinesAreThoseOfTheCopy();
     void whatTheClassSharesIsNotShown();
     void thousandsAreCompared();
+    void pairsAreInTheOrderOfTheClass();
 
 private:
     std::vector<AlikePair> pairsOf(const std::vector<QString> &programs) const;
@@ -276,6 +277,15 @@ void TestSimilarPrograms::thousandsAreCompared()
     QCOMPARE(pairs.size(), std::size_t(1));
     QCOMPARE(pairs[0].first, 17);
     QCOMPARE(pairs[0].second, 2999);
+}
+
+/// Those who share as much stand by the first of two, and then by the second.
+void TestSimilarPrograms::pairsAreInTheOrderOfTheClass()
+{
+    QStringList order;
+    for (const AlikePair &pair : pairsOf({own, renamed(own), own, own}))
+        order.append(QStringLiteral("%1-%2").arg(pair.first).arg(pair.second));
+    QCOMPARE(order.join(u' '), QStringLiteral("0-1 0-2 0-3 1-2 1-3 2-3"));
 }
 
 QTEST_APPLESS_MAIN(TestSimilarPrograms)

@@ -17,6 +17,7 @@ class TestWorkspaceNotes final : public WorkspaceTest
 private slots:
     void init() { takeNewFolder(); }
     void notesAreKept();
+    void notesThatAreLookedAtAreNotWritten();
     void notesHaveVersions();
     void notesOfOtherProgramsAreNeverReplaced_data();
     void notesOfOtherProgramsAreNeverReplaced();
@@ -42,6 +43,10 @@ void TestWorkspaceNotes::notesAreKept()
     QVERIFY(!workspace.saveUnsaved());
     QVERIFY(!workspace.hasUnsaved());
     QCOMPARE(content(path("w/notes/A.md")), more.toUtf8());
+    {
+        const FullDisk full(512); // What is there already is not written again.
+        QVERIFY(!workspace.saveNote(first, more));
+    }
     // Another window has taken over: this one changes nothing of it.
     Workspace other(path());
     QVERIFY(!other.begin(lab()));
@@ -52,6 +57,21 @@ void TestWorkspaceNotes::notesAreKept()
     QVERIFY(!workspace.setStudent(QStringLiteral("Nobody"), {}));
     QCOMPARE(content(path("w/notes/A.md")), QByteArray("Theirs"));
     QVERIFY(!content(path("w/cradle.json")).contains("Nobody"));
+}
+
+void TestWorkspaceNotes::notesThatAreLookedAtAreNotWritten()
+{
+    {
+        Workspace workspace(path());
+        QVERIFY(!workspace.begin(lab()));
+        QVERIFY(!workspace.saveNote(first, QStringLiteral("Theirs.")));
+    }
+    Workspace looking(path());
+    looking.beginReading();
+    QCOMPARE(looking.noteOf(first), QStringLiteral("Theirs."));
+    QVERIFY(!looking.saveNote(first, QStringLiteral("Mine.")));
+    QCOMPARE(looking.noteOf(first), QStringLiteral("Theirs."));
+    QCOMPARE(content(path("w/notes/A.md")), QByteArray("Theirs."));
 }
 
 void TestWorkspaceNotes::notesHaveVersions()

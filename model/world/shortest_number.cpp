@@ -13,6 +13,11 @@ constexpr double longestPart = 100'000.0;  ///< n of 1/n
 constexpr double longestFraction = 1000.0; ///< n of m/n
 constexpr qsizetype saved = 3;             ///< letters, below which a decimal is as good
 
+QString whole(double number)
+{
+    return QString::number(number, 'f', 0);
+}
+
 } // namespace
 
 QString shortestNumber(double value)
@@ -28,7 +33,7 @@ QString fractionOrNumber(double value)
     };
     const double part = std::round(1.0 / value);
     if (part >= 2.0 && part <= longestPart && 1.0 / part == value) {
-        const QString text = QStringLiteral("1/%1").arg(part, 0, 'f', 0);
+        const QString text = QStringLiteral("1/") + whole(part);
         return isShorter(text) ? text : decimal;
     }
     constexpr qsizetype shortest = 4; // as 2/3
@@ -38,7 +43,7 @@ QString fractionOrNumber(double value)
         const double m = std::round(value * n);
         if (m == 0.0 || m / n != value)
             continue;
-        const QString text = QStringLiteral("%1/%2").arg(m, 0, 'f', 0).arg(n, 0, 'f', 0);
+        const QString text = whole(m) + u'/' + whole(n);
         return isShorter(text) ? text : decimal;
     }
     return decimal;
