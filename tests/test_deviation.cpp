@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/deviation.h"
 
+#include "tasks/judging/flight_comparison.h"
+
 #include <QTest>
 
 using namespace cradle;
@@ -19,6 +21,10 @@ class TestDeviation : public QObject
 private slots:
     void numbersAreBrief_data();
     void numbersAreBrief();
+    void timestepsAreParts_data();
+    void timestepsAreParts();
+    void methodsAreNamed_data();
+    void methodsAreNamed();
     void circlesAreNamed();
     void patternIsTold_data();
     void patternIsTold();
@@ -40,6 +46,9 @@ void TestDeviation::numbersAreBrief_data()
     QTest::newRow("below a thousand") << 999.4 << QStringLiteral("999");
     QTest::newRow("a thousand") << 1001.2 << QStringLiteral("1001");
     QTest::newRow("large") << -123456.7 << QStringLiteral("-123457");
+    QTest::newRow("one") << 1.0 << QStringLiteral("1");
+    QTest::newRow("nearly one") << 0.9996 << QStringLiteral("1");
+    QTest::newRow("below a million") << 999999.0 << QStringLiteral("999999");
     QTest::newRow("a million") << 2e6 << QStringLiteral("2e+06");
 }
 
@@ -50,10 +59,48 @@ void TestDeviation::numbersAreBrief()
     QCOMPARE(brief(Vec2{value, 2.0}), QStringLiteral("(%1, 2)").arg(brief(value)));
 }
 
+void TestDeviation::timestepsAreParts_data()
+{
+    QTest::addColumn<double>("parts"); // of a second
+    QTest::addColumn<QString>("text");
+    QTest::newRow("of 1/60 s") << 60.0 << QStringLiteral("1/60");
+    QTest::newRow("but for rounding") << 60.0 + 0.5e-6 << QStringLiteral("1/60");
+    QTest::newRow("another number") << 60.0 + 2e-6 << QStringLiteral("0.0167");
+    QTest::newRow("nearly two thirds more") << 66.67 << QStringLiteral("0.015");
+}
+
+void TestDeviation::timestepsAreParts()
+{
+    QFETCH(double, parts);
+    QTEST(briefTimestep(1.0 / parts), "text");
+}
+
+void TestDeviation::methodsAreNamed_data()
+{
+    QTest::addColumn<double>("share"); // of g Δt² by which a step goes on
+    QTest::addColumn<QString>("text");
+    const QString euler = methodName(0.0);
+    const QString symplectic = methodName(1.0);
+    const QString parabola = methodName(0.5);
+    QVERIFY(euler != symplectic && parabola != euler && parabola != symplectic);
+    const std::pair<double, QString> methods[] = {{0.0, euler}, {0.5, parabola}, {1.0, symplectic}};
+    for (const auto &[share, name] : methods) {
+        QVERIFY(!name.isEmpty());
+        for (const double sign : {-1.0, 1.0}) {
+            QTest::addRow("%g, blurred by %g", share, sign) << share + sign * 0.9e-3 << name;
+            QTest::addRow("off %g by %g", share, sign) << share + sign * 1.1e-3 << QString();
+        }
+    }
+}
+
+void TestDeviation::methodsAreNamed()
+{
+    QFETCH(double, share);
+    QTEST(methodName(share), "text");
+}
+
 void TestDeviation::circlesAreNamed()
 {
-    QCOMPARE(briefTimestep(1.0 / 60.0), QStringLiteral("1/60"));
-    QCOMPARE(briefTimestep(0.015), QStringLiteral("0.015"));
     QCOMPARE(circleNames({1}, 3), QStringLiteral("circle 2"));
     QCOMPARE(circleNames({0, 1}, 2), QStringLiteral("both circles"));
     QCOMPARE(circleNames({0, 1, 2}, 3), QStringLiteral("all circles"));
