@@ -24,7 +24,10 @@ public:
     void addAgain(const Crowd &crowd, const BroadPhase &near, const Crowd::Pair &pair);
 
     /// Who may meet in the step that many after the sort.
-    [[nodiscard]] std::vector<Crowd::Pair> &due(std::size_t index) { return m_due[index]; }
+    [[nodiscard]] const std::vector<Crowd::Pair> &due(std::size_t index) const
+    {
+        return m_due[index];
+    }
 
 private:
     using Slot = Crowd::Slot;
