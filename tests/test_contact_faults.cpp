@@ -136,6 +136,13 @@ void addCollisions()
            "changed from (-1, 0) and (1, 0) to (1, 0) and (-1, 0) m/s; circles that move apart "
            "should be left alone",
            2);
+    addRow("one turns while they part", pair("collides"),
+           drift({{.position = {-0.05, 0}, .velocity = {-1, 0}},
+                  {.position = {0.05, 0}, .velocity = {1, 0}}},
+                 leave({-1, 0}, {0.5, 1})),
+           "At step 2 the velocity of circle 2 changed from (1, 0) to (0.5, 1) m/s, while the "
+           "circles moved apart and the other one kept its own; it should stay as it was",
+           2);
     // Who neither comes nearer nor parts is not hit, but nor was he moving apart.
     addRow("pushed apart side by side", pair("collides"),
            drift({{.position = {0, -0.19}, .velocity = {2, 0}},
@@ -192,6 +199,14 @@ void addCollisions()
                              }}}),
            "At step 2 circle 2 moved by 2 m at once; with its velocity it comes 0.1 m far", 2, 0.1,
            2.0, "m");
+    // Of two laws that are allowed, that which one circle follows is told.
+    addRow("one follows the second law",
+           pair("collides", {{QStringLiteral("laws"), QJsonArray{QStringLiteral("swap_velocities"),
+                                                                 QStringLiteral("stop")}}}),
+           drift(headOn(), leave({0.3, 0}, {0, 0})),
+           "At step 2 circle 1 left the hit with (0.3, 0) m/s and circle 2 with (0, 0) m/s; where "
+           "their line of centres points along (1, 0), (0, 0) and (0, 0) m/s are right",
+           2, 0.0, 0.3, "m/s");
     addRow("parts too fast", pair("rebounds"), drift(headOn(), leave({0, 0}, {1, 0}), 1.0, {}, 0.5),
            "At step 2 the circles met with 1 m/s along the line of centres and parted with 1 m/s; "
            "e times as much, with e = 0.5, is 0.5 m/s",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/law_programs.h"
 
+#include "tasks/judging/contact_comparison.h"
 #include "tasks/reading/lab_list.h"
 
 #include <functional>
@@ -32,6 +33,8 @@ private slots:
     void pauseAfterAHitIsNamed();
     void leapAfterAHitIsNamed();
     void ownHitIsThatOfTheTwo();
+    void placesOfTwoMomentsAreNamed_data();
+    void placesOfTwoMomentsAreNamed();
 };
 
 namespace {
@@ -323,6 +326,38 @@ void TestContactLaw::ownHitIsThatOfTheTwo()
     QVERIFY(std::abs(hit.came1.x - 1.7) < 1e-9);
     QCOMPARE(own.pair().ownContacts, 2);
     QVERIFY(!own.pair().ranThrough && !own.pair().returning);
+}
+
+void TestContactLaw::placesOfTwoMomentsAreNamed_data()
+{
+    QTest::addColumn<QString>("between");
+    QTest::addColumn<bool>("isNamed");
+    QTest::newRow("now") << "q.position - p.position" << false;
+    QTest::newRow("1 before") << "q.position - oldp" << true;
+    QTest::newRow("2 before") << "oldq - p.position" << true;
+    QTest::newRow("1 ahead") << "q.position - p.position - h * p.velocity" << true;
+    QTest::newRow("both before") << "oldq - oldp" << false;
+}
+
+/// Circles that come slowly are answered in time even so.
+void TestContactLaw::placesOfTwoMomentsAreNamed()
+{
+    QFETCH(QString, between);
+    QFETCH(bool, isNamed);
+    const LawBench step(task(QStringLiteral("L42T12")));
+    for (const Structure &structure : structures) {
+        for (const HitWay &way : {hitWays[0], hitWays[1]}) {
+            QString hit = hitOf(way);
+            hit.replace(QLatin1String("q.position - p.position"), between);
+            const QString program = written(withHit(hit), structure);
+            const MeasuredLaws own(&program, step.ground);
+            const auto said = momentsDeviation(own.pairChases());
+            QCOMPARE(said.has_value(), isNamed);
+            if (said)
+                QVERIFY(said->message.startsWith(
+                    QLatin1String("The distance is taken between places of two moments\n")));
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestContactLaw)

@@ -26,6 +26,8 @@ private slots:
     void programThatStoppedHasNoWrongStart();
     void wrongStartNamesTheLineThatSetsIt();
     void restitutionOfTheOwnSceneIsNamedBesideOtherFaults();
+    void circleThatLeavesRightlyIsNamedOfUnequalOnes();
+    void massesOfNoPowerAreToldSo();
     void crowdHasRoomWhereItIsMeasured();
 
 private:
@@ -255,6 +257,32 @@ void TestFindings::restitutionOfTheOwnSceneIsNamedBesideOtherFaults()
     edit(form.answer, "1 + restitution", "1 + restitution ^ 2");
     QCOMPARE(headlinesOf(told(QStringLiteral("L42T16"), form)),
              QStringList(text("e is squared in the hit of two circles")));
+}
+
+/// Where circle 2 is at rest, or both are equal, (m₁ − m₂) in place of (m₂ − m₁) does not show.
+void TestFindings::circleThatLeavesRightlyIsNamedOfUnequalOnes()
+{
+    OtherForm form = otherForm(QStringLiteral("L42T14"));
+    form.answer = QStringLiteral(
+        "if closing > 0 then local u, v, m = p.velocity:dot(n), q.velocity:dot(n), m1 + m2 "
+        "p.velocity = p.velocity + (((m1 - m2) * u + 2 * m2 * v) / m - u) * n "
+        "q.velocity = q.velocity + (((m1 - m2) * v + 2 * m1 * u) / m - v) * n end");
+    const CheckReport report = told(QStringLiteral("L42T14"), form);
+    QCOMPARE(headlinesOf(report),
+             QStringList(text("Where the masses differ, only circle 1 leaves as it should")));
+    QVERIFY(report.findings.front().message.contains(text("hits tried, 3 came out right.")));
+}
+
+/// Two sizes fit a power that others do not.
+void TestFindings::massesOfNoPowerAreToldSo()
+{
+    OtherForm form = otherForm(QStringLiteral("L42T14"));
+    form.answer =
+        QStringLiteral("local function w(c) return c.radius ^ 2 * math.max(c.radius, 0.3) "
+                       "end m1, m2 = w(p), w(q) ")
+        + form.answer;
+    QCOMPARE(headlinesOf(told(QStringLiteral("L42T14"), form)),
+             QStringList(text("The masses do not follow the radii as those of balls do")));
 }
 
 /// Checks may look at many circles; none may lie on another when flights are measured.

@@ -1124,6 +1124,10 @@
         <source>Nothing in your program moves the circles: write on_update</source>
         <translation>لا شيء في برنامجك يحرّك الدائرتين: اكتب ⁦on_update⁩</translation>
     </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s, while the circles moved apart and the other one kept its own; it should stay as it was</source>
+        <translation>في الخطوة ⁨%1⁩ تغيّرت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما كانت الدائرتان تتباعدان واحتفظت الأخرى بسرعتها؛ يجب أن تبقى كما كانت</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -4325,10 +4329,6 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
         <translation>انظر أي كتل وأي إشارات تدخل في ما يُحسب للأخرى.</translation>
     </message>
     <message>
-        <source>In some hits: %1</source>
-        <translation>في بعض التصادمات: %1</translation>
-    </message>
-    <message>
         <source>No hit that was tried comes out right</source>
         <translation>لا تصحّ نتيجة أي من التصادمات المجرّبة</translation>
     </message>
@@ -4425,6 +4425,22 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
     <message>
         <source>So it is when the run begins. With that e a right program fails the check “%1”, too.</source>
         <translation>هكذا هو عند بدء التشغيل. وبهذا المعامل e لا يجتاز حتى برنامج صحيح الفحص «⁨%1⁩».</translation>
+    </message>
+    <message>
+        <source>In your own scene the first comes out wrong, too.</source>
+        <translation>وفي مشهدك لا تصحّ نتيجة الأول أيضًا.</translation>
+    </message>
+    <message>
+        <source>%1 (in some hits)</source>
+        <translation>%1 (في بعض التصادمات)</translation>
+    </message>
+    <message>
+        <source>The distance is taken between places of two moments
+
+Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s faster: where circle 2 was ahead, they answered with the centres %3 m apart, where circle 1 was, %4 m; rims touch at %5 m. The two differ from that by what a circle flies in a step: look at whether both places are of the same moment, after both have moved.</source>
+        <translation>تؤخذ المسافة بين موضعين من لحظتين
+
+طارت الدائرتان بسرعة ⁦%1 m/s⁩ على خط المركزين، والخلفية أسرع بمقدار ⁦%2 m/s⁩: حين كانت الدائرة 2 في المقدمة استجابتا والمركزان على بعد ⁦%3 m⁩، وحين كانت الدائرة 1 فعلى بعد ⁦%4 m⁩؛ تتلامس الحافتان عند ⁦%5 m⁩. كلاهما يختلف عن ذلك بما تقطعه دائرة في خطوة: انظر هل الموضعان من اللحظة نفسها، بعد أن تحركت الدائرتان.</translation>
     </message>
 </context>
 <context>

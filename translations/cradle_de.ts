@@ -1116,6 +1116,10 @@
         <source>Nothing in your program moves the circles: write on_update</source>
         <translation>Nichts in deinem Programm bewegt die Kreise: Schreib on_update</translation>
     </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s, while the circles moved apart and the other one kept its own; it should stay as it was</source>
+        <translation>In Schritt %1 änderte sich die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, während sich die Kreise voneinander entfernten und der andere seine behielt; sie soll bleiben, wie sie war</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -4281,10 +4285,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Sieh nach, welche Massen und welche Vorzeichen in dem stehen, was für den anderen berechnet wird.</translation>
     </message>
     <message>
-        <source>In some hits: %1</source>
-        <translation>In manchen Stößen: %1</translation>
-    </message>
-    <message>
         <source>No hit that was tried comes out right</source>
         <translation>Kein Stoß, der versucht wurde, geht richtig aus</translation>
     </message>
@@ -4373,6 +4373,22 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
     <message>
         <source>So it is when the run begins. With that e a right program fails the check “%1”, too.</source>
         <translation>So ist es, wenn der Lauf beginnt. Mit diesem e besteht auch ein richtiges Programm die Prüfung „%1“ nicht.</translation>
+    </message>
+    <message>
+        <source>In your own scene the first comes out wrong, too.</source>
+        <translation>In deiner eigenen Szene geht auch der erste falsch aus.</translation>
+    </message>
+    <message>
+        <source>%1 (in some hits)</source>
+        <translation>%1 (in manchen Stößen)</translation>
+    </message>
+    <message>
+        <source>The distance is taken between places of two moments
+
+Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s faster: where circle 2 was ahead, they answered with the centres %3 m apart, where circle 1 was, %4 m; rims touch at %5 m. The two differ from that by what a circle flies in a step: look at whether both places are of the same moment, after both have moved.</source>
+        <translation>Der Abstand gilt zwischen Orten zweier Zeitpunkte
+
+Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der hintere um %2 m/s schneller: War Kreis 2 vorn, antworteten sie bei %3 m Abstand der Mittelpunkte, war es Kreis 1, bei %4 m; die Ränder berühren sich bei %5 m. Beides weicht davon um das ab, was ein Kreis in einem Schritt fliegt: Sieh nach, ob beide Orte vom selben Zeitpunkt sind, nachdem sich beide bewegt haben.</translation>
     </message>
 </context>
 <context>

@@ -1116,6 +1116,10 @@
         <source>Nothing in your program moves the circles: write on_update</source>
         <translation>Rien dans votre programme ne déplace les cercles&#xa0;: écrivez on_update</translation>
     </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s, while the circles moved apart and the other one kept its own; it should stay as it was</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s, alors que les cercles s&apos;éloignaient l&apos;un de l&apos;autre et que l&apos;autre gardait la sienne&#xa0;; elle doit rester telle qu&apos;elle était</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -4281,10 +4285,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
         <translation>Regardez quelles masses et quels signes figurent dans ce qui est calculé pour l&apos;autre.</translation>
     </message>
     <message>
-        <source>In some hits: %1</source>
-        <translation>Dans certains chocs&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>No hit that was tried comes out right</source>
         <translation>Aucun des chocs essayés ne donne le bon résultat</translation>
     </message>
@@ -4373,6 +4373,22 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
     <message>
         <source>So it is when the run begins. With that e a right program fails the check “%1”, too.</source>
         <translation>C&apos;est ainsi quand l&apos;exécution commence. Avec ce e, même un programme correct échoue à la vérification «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>In your own scene the first comes out wrong, too.</source>
+        <translation>Dans votre propre scène, le premier aussi donne un mauvais résultat.</translation>
+    </message>
+    <message>
+        <source>%1 (in some hits)</source>
+        <translation>%1 (dans certains chocs)</translation>
+    </message>
+    <message>
+        <source>The distance is taken between places of two moments
+
+Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s faster: where circle 2 was ahead, they answered with the centres %3 m apart, where circle 1 was, %4 m; rims touch at %5 m. The two differ from that by what a circle flies in a step: look at whether both places are of the same moment, after both have moved.</source>
+        <translation>La distance est prise entre des positions de deux instants
+
+Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derrière plus vite de %2 m/s&#xa0;: quand le cercle 2 était devant, ils ont réagi avec des centres à %3 m l&apos;un de l&apos;autre, quand c&apos;était le cercle 1, à %4 m&#xa0;; les bords se touchent à %5 m. Les deux s&apos;en écartent de ce qu&apos;un cercle parcourt en un pas&#xa0;: regardez si les deux positions sont du même instant, après le déplacement des deux.</translation>
     </message>
 </context>
 <context>

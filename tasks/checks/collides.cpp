@@ -43,8 +43,16 @@ std::optional<Fault> notBy(const std::vector<CircleLaw> &laws, const ContactAnsw
 {
     const bool follows =
         std::any_of(laws.begin(), laws.end(), [&](CircleLaw law) { return answer.follows(law); });
-    return follows ? std::nullopt
-                   : std::optional(contact_faults::wrongAnswer(answer, laws.front()));
+    if (follows)
+        return std::nullopt;
+    // What one circle follows is what is meant.
+    const auto isHalfRight = [&](CircleLaw law) {
+        const auto [a, b] = answer.expected(law, answer.normal());
+        return motion::isSame(answer.contact.afterA, a, answer.tolerance)
+               || motion::isSame(answer.contact.afterB, b, answer.tolerance);
+    };
+    const auto meant = std::find_if(laws.begin(), laws.end(), isHalfRight);
+    return contact_faults::wrongAnswer(answer, meant == laws.end() ? laws.front() : *meant);
 }
 
 /// Newton's law of restitution: what parts them along the normal is e times what closed the gap.

@@ -56,6 +56,25 @@ Fault tooEarly(const ContactAnswer &answer)
 Fault hitAgain(const ContactAnswer &answer)
 {
     const motion::Contact &c = answer.contact;
+    const auto isKept = [&](Vec2 before, Vec2 after) {
+        return motion::isSame(after, before, answer.tolerance);
+    };
+    // What changes one alone is no hit of the two.
+    if (isKept(c.beforeA, c.afterA) != isKept(c.beforeB, c.afterB)) {
+        const bool isA = !isKept(c.beforeA, c.afterA);
+        const Vec2 before = isA ? c.beforeA : c.beforeB;
+        const Vec2 after = isA ? c.afterA : c.afterB;
+        const int who = isA ? answer.a : answer.b;
+        return {.message =
+                    ContactText::tr("At step %1 the velocity of circle %2 changed from %3 to "
+                                    "%4 m/s, while the circles moved apart and the other "
+                                    "one kept its own; it should stay as it was")
+                        .arg(QString::number(c.step + 1), QString::number(who + 1),
+                             motion::figureBeside(before, after),
+                             motion::figureBeside(after, before)),
+                .step = c.step + 1,
+                .circle = who};
+    }
     return {.message = ContactText::tr("At step %1 the circles were already moving apart with %2 "
                                        "m/s, and their velocities changed from %3 and %4 to %5 and "
                                        "%6 m/s; circles that move apart should be left alone")
@@ -96,7 +115,7 @@ Fault wrongAnswer(const ContactAnswer &answer, CircleLaw law)
 Fault wrongRebound(const ContactAnswer &answer, double closing, double parting)
 {
     const double right = answer.restitution * closing;
-    if (parting < 0.0)
+    if (parting < -1e-6) // beyond rounding
         return {.message =
                     ContactText::tr("At step %1 the circles met with %2 m/s along the line of "
                                     "centres, and after the hit they still come nearer, with %3 "

@@ -77,6 +77,10 @@ private:
 [[nodiscard]] std::vector<LawDeviation>
 distanceDeviations(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground);
 
+/// That the places of the two are not of the same moment where their distance is asked for: how far
+/// apart they are answered depends on what they fly in a step.
+[[nodiscard]] std::optional<LawDeviation> momentsDeviation(const std::vector<PairHit> &chases);
+
 /// Which of the meetings that are looked at.
 enum class Meetings {
     Parting, ///< of circles that have met already

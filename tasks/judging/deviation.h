@@ -53,6 +53,7 @@ struct LawDeviation {
     Topic topic = Topic::Other;
     bool isEverywhere = false;  ///< of a wall's reach: no wall is known where it is right
     bool isConditional = false; ///< what is asked for comes out right at times
+    bool isOfSome = false;      ///< it says itself that not all come out wrong
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

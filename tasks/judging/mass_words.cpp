@@ -128,7 +128,9 @@ std::optional<LawDeviation> numberedMasses(const MeasuredPair &own)
     if (!ratio)
         return std::nullopt;
     const auto say = [&](const QString &headline, const QString &body) {
-        return responseDeviation(headline, body, own.equals.front(), Suspect::Masses);
+        LawDeviation found = responseDeviation(headline, body, own.equals.front(), Suspect::Masses);
+        found.isOfSome = true;
+        return found;
     };
     const QString twoWays = ResponseText::tr("The two masses are not worked out in the same way");
     if (const auto other = equalRatioOf(own.densities);

@@ -64,6 +64,13 @@ public:
             m_pairAnswers = measurePairAnswers(m_program, m_ground, flight());
         return *m_pairAnswers;
     }
+    /// And of circles that fly along the line of centres.
+    [[nodiscard]] const std::vector<PairHit> &pairChases() const
+    {
+        if (!m_pairChases)
+            m_pairChases = measurePairChases(m_program, m_ground, flight());
+        return *m_pairChases;
+    }
     /// Whether they were measured already.
     [[nodiscard]] bool knowsWalls() const { return m_walls.has_value(); }
     [[nodiscard]] bool knowsPair() const { return m_pair.has_value(); }
@@ -78,6 +85,7 @@ private:
     mutable std::optional<std::vector<WallOccasion>> m_wallsAgain{};
     mutable std::optional<std::vector<PairOccasion>> m_pairAgain{};
     mutable std::optional<std::vector<PairHit>> m_pairAnswers{};
+    mutable std::optional<std::vector<PairHit>> m_pairChases{};
 };
 
 } // namespace cradle

@@ -111,6 +111,11 @@ measurePairAgain(const QString *program, const Ground &ground, const MeasuredFli
 [[nodiscard]] std::vector<PairHit> measurePairAnswers(const QString *program, const Ground &ground,
                                                       const MeasuredFlight &flight);
 
+/// Two meetings of circles that fly fast along the line of centres, in steps of the usual length;
+/// none where laws move the circles, or both never move.
+[[nodiscard]] std::vector<PairHit> measurePairChases(const QString *program, const Ground &ground,
+                                                     const MeasuredFlight &flight);
+
 /// How a program answers the meetings of circles 1 and 2.
 struct MeasuredPair {
     /// \param flight  of the same program

@@ -43,13 +43,15 @@ std::optional<LawDeviation> pushOnOne(const MeasuredPair &own, const MeasuredPai
     look(own.densities, right.densities);
     if (!shown || isRight[0] == isRight[1])
         return std::nullopt;
-    return responseDeviation(
+    LawDeviation found = responseDeviation(
         ResponseText::tr("Where the masses differ, only circle %1 leaves as it should")
             .arg(isRight[0] ? 1 : 2),
         describeHit(*shown, *good) + QLatin1Char(' ')
             + ResponseText::tr("Look at which masses and which signs stand in what is worked out "
                                "for the other one."),
         *shown);
+    found.moment.circles = {isRight[0] ? 1 : 0};
+    return found;
 }
 
 /// Right in what both have in common, while each gets the other's share of the rebound:

@@ -48,13 +48,15 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRig
         return std::nullopt;
     const PairHit &hit = *own.own;
     const Meeting &m = hit.meeting;
-    if (auto masses = ownMasses(hit, own, isElseRight))
-        return masses;
     const Vec2 n = normalized(hit.push2());
     const double closing = dot(hit.came1 - hit.came2, n);
     const double parting = dot(hit.left2 - hit.left1, n);
-    if (own.rebounds.empty() || closing < 1e-6
-        || std::abs(parting / closing - m.restitution) < 0.01)
+    const auto masses = ownMasses(hit, own, isElseRight);
+    const bool isRebound = std::abs(parting - m.restitution * closing) < 0.05 * closing;
+    // Who does neither does something else than what it does in other scenes.
+    if (masses || isRebound)
+        return isRebound ? masses : std::nullopt;
+    if (own.rebounds.empty() || closing < 1e-6)
         return std::nullopt;
     return responseDeviation(
         ResponseText::tr("In your own scene the hit does not use the e that it has"),

@@ -23,9 +23,14 @@ public:
 
     [[nodiscard]] ConditionedAspect judge(Aspect aspect)
     {
-        if (!judgePair(aspect) && aspect == Aspect::Response) {
+        if (judgePair(aspect))
+            return std::move(m_said);
+        if (aspect == Aspect::Response) {
             judgeKinds();
             addSurroundings();
+        } else if (m_said.deviations.empty()) {
+            if (auto moments = momentsDeviation(m_own.pairChases()))
+                m_said.deviations.push_back(std::move(*moments));
         }
         return std::move(m_said);
     }
@@ -104,10 +109,23 @@ private:
                  ? ConditionText::tr("Some hits of the two circles are answered too late")
                  : ConditionText::tr("Some hits of the two circles are not answered"),
              isContact ? met : met + QLatin1Char(' ') + describeHit(hit, good->hit),
-             triesTold(series.when)},
+             triesTold(series.when)
+                 + (isContact || !condition->isOfHistory() ? QString() : ownTold())},
             *condition, {0, 1}, {.stage = hit.stage, .step = good->hit.step},
             [](const LawDeviation &found) { return found.suspect != Suspect::Masses; });
         return true;
+    }
+
+    /// Where the first hit of the own scene comes out wrong; begins with a blank.
+    [[nodiscard]] QString ownTold() const
+    {
+        const auto &own = m_own.pair().own;
+        const auto &right = m_right.pair().own;
+        return own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
+                       && !leaveAlike(*own, *right)
+                   ? QLatin1Char(' ')
+                         + ConditionText::tr("In your own scene the first comes out wrong, too.")
+                   : QString();
     }
 
     /// Whether two answers to \p hit are the same, as seen from how fast they came.
@@ -178,6 +196,49 @@ private:
                   });
     }
 
+    static bool areRightOfEquals(const Kinds &hits)
+    {
+        return std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
+            return one.isRight || !isEqual(one.hit->meeting);
+        });
+    }
+
+    /// Whether what was found is that one circle leaves as it should, and it does in all of \p
+    /// hits.
+    [[nodiscard]] bool isOfOneCircle(const Kinds &hits) const
+    {
+        const LawDeviation &found = m_said.deviations.front();
+        if (found.suspect != Suspect::Answer || found.moment.circles.size() != 1)
+            return false;
+        const bool isFirstWrong = found.moment.circles.front() == 0;
+        return std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
+            const PairVelocities good = rightFor(one.hit->cameParts(), goodOf(*one.hit));
+            PairVelocities seen = one.hit->leftParts();
+            (isFirstWrong ? seen.along1 : seen.along2) = isFirstWrong ? good.along1 : good.along2;
+            (isFirstWrong ? seen.across1 : seen.across2) =
+                isFirstWrong ? good.across1 : good.across2;
+            return isSame(*one.hit, seen, good);
+        });
+    }
+
+    /// Whether what was found of two sizes is of masses, and all of \p hits follow some masses, but
+    /// not those; the headline is then that of no power.
+    [[nodiscard]] bool areOtherMasses(const Kinds &hits)
+    {
+        LawDeviation &found = m_said.deviations.front();
+        if (found.suspect != Suspect::Masses || m_ground.pair.densities.isVaried()
+            || !std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
+                   const double closing = std::abs(one.hit->meeting.closing());
+                   return massRatio(*one.hit)
+                          && std::abs(one.hit->rebound() - one.hit->meeting.restitution) * closing
+                                 < 0.01;
+               }))
+            return false;
+        found.message = ConditionText::tr("The masses do not follow the radii as those of balls do")
+                        + found.message.mid(found.message.indexOf(QLatin1Char('\n')));
+        return true;
+    }
+
     [[nodiscard]] const PairHit &goodOf(const PairHit &hit) const
     {
         const auto at = static_cast<std::size_t>(&hit - m_own.pairAnswers().data());
@@ -212,12 +273,20 @@ private:
         const auto right = rightOf(hits);
         if (right == std::ssize(hits) || (!found.empty() && (right == 0 || areMasses(hits))))
             return;
+        if (isOfMasses && areRightOfEquals(all) && (isOfOneCircle(all) || areOtherMasses(hits))) {
+            found.resize(1);
+            found.front().message += countOf(hits, std::nullopt);
+            return;
+        }
         const bool isLaw = !found.empty() && isLawOf(hits);
         const auto division = isLaw ? std::nullopt : divisionBy(all);
         if (!found.empty() && !division && !isOfMasses) {
             LawDeviation &first = found.front();
-            if (!isLaw)
-                first.message = ConditionText::tr("In some hits: %1").arg(first.message);
+            if (!isLaw && !first.isOfSome) {
+                const qsizetype end = first.message.indexOf(QLatin1Char('\n'));
+                first.message = ConditionText::tr("%1 (in some hits)").arg(first.message.left(end))
+                                + first.message.mid(end);
+            }
             first.message += countOf(hits, std::nullopt);
             return;
         }

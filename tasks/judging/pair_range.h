@@ -43,6 +43,10 @@ public:
     /// one in three has another e.
     [[nodiscard]] std::vector<PairHit> answers() const;
 
+    /// Both fly fast along the line of centres, the one behind a little faster: circle 2 ahead,
+    /// then circle 1.
+    [[nodiscard]] std::vector<PairHit> chases() const;
+
     /// The same meeting in one long run, here and there, early and late.
     /// \param model  what look() shows of it at the start of a run
     [[nodiscard]] std::vector<PairOccasion> again(const PairHit &model) const;

@@ -103,6 +103,7 @@ private:
             })) {
             add(ResponseText::tr("Not every hit stops both circles"), describeEquals(hit, right),
                 hit);
+            m_reading.said->isOfSome = true;
             return;
         }
         for (const ResponseLaw &law : knownResponses()) {
@@ -158,9 +159,12 @@ private:
         else if (ratio)
             return; // massDeviations() says so
         else if (const std::vector<int> wrong = wrongIn(hits); !momentum && wrong.size() == 1)
-            add(ResponseText::tr("Circle %1 leaves a hit as it should, circle %2 does not")
-                    .arg(2 - wrong.front())
-                    .arg(wrong.front() + 1),
+            add(m_own.radii.empty() && m_own.densities.empty()
+                    ? ResponseText::tr("Circle %1 leaves a hit as it should, circle %2 does not")
+                          .arg(2 - wrong.front())
+                          .arg(wrong.front() + 1)
+                    : ResponseText::tr("Of two equal circles only circle %1 leaves as it should")
+                          .arg(2 - wrong.front()),
                 describeEquals(hit, right) + lawOfPart(hits, wrong.front()), hit);
         else if (!momentum)
             add(ResponseText::tr("The pushes on the two circles are not equal and opposite"),
