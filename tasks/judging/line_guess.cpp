@@ -102,8 +102,9 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     }
     if (isOfQuestion(deviation.suspect)) {
         const AskedValues asked(lines);
-        const int line =
-            special.empty() ? 0 : questionOf(deviation.suspect, special, rows, ran, within, asked);
+        const int line = special.empty() ? 0
+                                         : questionOf(deviation.suspect, special, rows, ran, within,
+                                                      asked, isOfPair);
         if (line == 0 && !compares(rows[acting - 1]))
             return isOfPair ? unledQuestion(deviation.suspect, rows, ran, asked) : 0;
         const int question = line == 0 ? acting : line;

@@ -9,8 +9,11 @@
 namespace cradle {
 
 int questionOf(Suspect suspect, const std::vector<int> &special, const QStringList &rows,
-               const RanLines &ran, const RowRange &within, const AskedValues &asked)
+               const RanLines &ran, const RowRange &within, const AskedValues &asked, bool isOfPair)
 {
+    const auto isOne = [&](int line) {
+        return compares(rows[line - 1]) && !(isOfPair && asksForWall(rows[line - 1]));
+    };
     const auto fits = [&](int line) {
         return suspect == Suspect::Reach ? asked.asksReach(line) || asksForWall(rows[line - 1])
                                          : !asked.asksReach(line) || asked.isJoined(line);
@@ -18,12 +21,12 @@ int questionOf(Suspect suspect, const std::vector<int> &special, const QStringLi
     std::vector<int> questions; // the likeliest first
     if (suspect == Suspect::Question || ran.before.empty()) {
         for (const int line : special) {
-            if (compares(rows[line - 1]))
+            if (isOne(line))
                 questions.push_back(line);
         }
     }
     for (int line = special.front(); line >= within.first && !ran.before.empty(); --line) {
-        if (ran.now.contains(line) && compares(rows[line - 1]))
+        if (ran.now.contains(line) && isOne(line))
             questions.push_back(line);
     }
     const auto best = std::find_if(questions.begin(), questions.end(), fits);

@@ -10,10 +10,11 @@
 namespace cradle {
 
 /// The question that leads to the first of \p special, or that is among them: of those within a
-/// function such as ask for a distance, or for more than that. \pre \p special is not empty
+/// function such as ask for a distance, or for more than that; of a hit of two none that asks for a
+/// wall. \pre \p special is not empty
 [[nodiscard]] int questionOf(Suspect suspect, const std::vector<int> &special,
                              const QStringList &rows, const RanLines &ran, const RowRange &within,
-                             const AskedValues &asked);
+                             const AskedValues &asked, bool isOfPair);
 
 /// Where the value is worked out that a question asks, if it is one.
 [[nodiscard]] int askedIn(int question, Suspect suspect, const AskedValues &asked);
