@@ -152,6 +152,7 @@ inline constexpr char rebounds[] = R"lua(function collide(a, b)
   a.velocity = vec(u * nx - s * ny, u * ny + s * nx)
   b.velocity = vec(w * nx - t * ny, w * ny + t * nx)
 end
+restitution = 0.5
 )lua";
 
 /// The same with a table of what each circle has, read at first and written back at last.
