@@ -36,6 +36,8 @@ void TestDeviation::numbersAreBrief_data()
     QTest::addColumn<QString>("text");
     QTest::newRow("a third") << 1.0 / 3.0 << QStringLiteral("0.333");
     QTest::newRow("noise") << -0.9e-7 << QStringLiteral("0");
+    QTest::newRow("less than is written") << -4.9e-7 << QStringLiteral("0");
+    QTest::newRow("the least written") << 5.1e-7 << QStringLiteral("0.000001");
     QTest::newRow("no noise") << 6e-6 << QStringLiteral("0.000006");
     QTest::newRow("small, without exponent") << -4.5e-5 << QStringLiteral("-0.000045");
     // 9.81/60 = 0.1635 lies between two figures.

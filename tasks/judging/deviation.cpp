@@ -21,7 +21,8 @@ constexpr double patternBlur = 1e-4; ///< relative
 
 QString brief(double value)
 {
-    if (std::abs(value) < 1e-7)
+    // Six places behind the point are written at most.
+    if (std::abs(value) < 5e-7)
         return QStringLiteral("0");
     // What lies between two figures, as 9.81/60, is rounded up whatever noise it carries.
     value *= 1.0 + 1e-9;
