@@ -119,6 +119,7 @@ void TestDeviation::patternIsTold_data()
     QTest::newRow("nothing measured") << Factors{} << Kind::Constant << 1.0;
     QTest::newRow("right") << Factors{{a, 1.0}, {b, 1.0}} << Kind::Constant << 1.0;
     QTest::newRow("twice as much") << Factors{{a, 2.0}, {b, 2.0}} << Kind::Constant << 2.0;
+    QTest::newRow("divided by h") << Factors{{a, 3600.0}, {b, 625.0}} << Kind::Divided << 1.0;
     QTest::newRow("h forgotten") << Factors{{a, 60.0}, {b, 25.0}} << Kind::Forgotten << 1.0;
     QTest::newRow("h twice") << Factors{{a, a}, {b, b}} << Kind::Squared << 1.0;
     QTest::newRow("0.02 s for h") << Factors{{a, 0.02 / a}, {b, 0.02 / b}} << Kind::Fixed << 0.02;

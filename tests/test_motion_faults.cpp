@@ -248,6 +248,21 @@ void addWalls()
            "At step 1, where it touches nothing, the velocity of circle 2 went from (1, 1) to (1, "
            "1.2) m/s; (1, 1) m/s is right. Hits are judged when its motion is right",
            1, 1.0, 1.2, "m/s");
+    // A push that is more than a wall gives back.
+    addRow("pushed in the open", bounces,
+           drift(beside({.position = {1, 0}, .velocity = {0.1, 0}}),
+                 change(2, 1, [](Circle &c) { c.velocity.x = -0.3; })),
+           "At step 2, where it touches nothing, the velocity of circle 2 went from (0.1, 0) to "
+           "(-0.3, 0) m/s; (0.1, 0) m/s is right. Hits are judged when its motion is right",
+           2, 0.1, -0.3, "m/s");
+    // The other one may push it back to the wall in every step.
+    addRow(
+        "stuck beside the other one", check("bounces", {1}, {{QStringLiteral("collisions"), true}}),
+        drift({{.position = {3.35, 0}}, {.position = {3.75, 0}, .velocity = {1, 0}}},
+              held(std::vector<Vec2>(10, {1, 0}), {3.75, 0})),
+        "Turns at walls, away from the other circle, in 1 s: 0; at least 1 must be seen to judge "
+        "them",
+        10, 1.0, 0.0);
     // It goes to the left, away from the wall that is nearer.
     addRow("turned in the open, far from where it goes", bounces,
            drift(beside({.position = {1, 0}, .velocity = {-1, 0}}),

@@ -23,6 +23,15 @@ private slots:
     void fallThatHangsOnTheCircleIsTold_data();
     void fallThatHangsOnTheCircleIsTold();
     void gravityOnThePlaceIsTold();
+    void whatComesToAWallAtOnceIsToldOfLess_data();
+    void whatComesToAWallAtOnceIsToldOfLess();
+    void wrongWayBesideAMethodIsTold();
+    void aTimestepThatIsRightIsTold();
+    void stepsFromTheStartAreTold();
+    void aRightFirstStepIsNotBlamed();
+    void oneThatIsLetGoIsTold();
+    void stepsThatAlternateAreTold();
+    void eInTheOpenIsTold();
     void aNumberForGravityIsTold();
     void anOldCopyOfGravityIsTold();
     void forceByVelocityOrPlaceIsTold_data();
@@ -68,6 +77,7 @@ void TestToldMotion::wayOfAStepIsTold_data()
     QTest::addColumn<double>("power");
     QTest::newRow("without time") << "c.velocity" << Vec2{1, 1} << 0.0;
     QTest::newRow("time twice") << "c.velocity * h * h" << Vec2{1, 1} << 2.0;
+    QTest::newRow("divided by time") << "c.velocity / h" << Vec2{1, 1} << -1.0;
     QTest::newRow("a sixtieth") << "c.velocity / 60" << Vec2{1.0 / 60, 1.0 / 60} << 0.0;
     QTest::newRow("back") << "-c.velocity * h" << Vec2{-1, -1} << 1.0;
     QTest::newRow("twice") << "2 * c.velocity * h" << Vec2{2, 2} << 1.0;
@@ -199,6 +209,159 @@ void TestToldMotion::gravityOnThePlaceIsTold()
     QCOMPARE(n.size(), std::size_t{5});
     QVERIFY(n[0] == 0.0 && n[1] == -9.81);
     QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.0, 0.25 * -9.81 / n[4]}));
+}
+
+void TestToldMotion::whatComesToAWallAtOnceIsToldOfLess_data()
+{
+    QTest::addColumn<QString>("place");
+    QTest::addColumn<QString>("velocity");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<QString>("pattern");
+    QTest::newRow("divided in the velocity")
+        << way << "gravity / h"
+        << "Gravity on both circles is divided by the timestep"
+        << QString::fromUtf8("Under gravity (#, #) m/s² the velocity changes by (#, #) m/s in a "
+                             "step of 1/# s");
+    for (const char *step : {"gravity / 2", "gravity * (h / h / 2)"})
+        QTest::newRow(step) << way + QStringLiteral(" + ") + QLatin1String(step) << fall
+                            << "What gravity adds to the way of both circles does not depend on "
+                            << QString::fromUtf8("Besides v Δt it goes (#, #) m in a step of 1/# "
+                                                 "s under gravity (#, #) m/s²");
+}
+
+/// Of a gravity so weak that no wall takes part.
+void TestToldMotion::whatComesToAWallAtOnceIsToldOfLess()
+{
+    QFETCH(QString, place);
+    QFETCH(QString, velocity);
+    QFETCH(QString, headline);
+    QFETCH(QString, pattern);
+    const LawProgram program{.move = QStringLiteral("c.position = c.position + %1 "
+                                                    "c.velocity = c.velocity + %2")
+                                         .arg(place, velocity),
+                             .walls = wallsOf(wallWays[1])};
+    for (const char *step : {"L42T4", "L42T17"}) {
+        const auto n = numbersIn(
+            bodyOfProgram(step, written(program, structures[1]), headline.toUtf8().constData()),
+            pattern.toUtf8().constData());
+        QCOMPARE(n.size(), std::size_t{5});
+        const bool isVelocity = velocity != fall;
+        const double g = isVelocity ? n[1] : n[4];
+        QVERIFY(g < 0.0 && g > -0.1);
+        QVERIFY(isNear(isVelocity ? n[3] : n[1], isVelocity ? g * n[4] : 0.5 * g));
+    }
+}
+
+/// By Verlet only where it comes down: v Δt is no right way there, either.
+void TestToldMotion::wrongWayBesideAMethodIsTold()
+{
+    const QString said = body("L42X6",
+                              QStringLiteral("(c.velocity.y > 0 and 0.5 or 1) * c.velocity * h + "
+                                             "gravity * (h * h / 2)"),
+                              fall, "The way of circle 2 in a step is wrong");
+    const auto n = numbersIn(said, "With the velocity (#, #) m/s and Δt = 1/# s it goes (#, #) m "
+                                   "in a step, with (#, #) m/s (#, #) m; (#, #) and (#, #) m are "
+                                   "right. Let go at rest, it goes as it should.");
+    QCOMPARE(n.size(), std::size_t{13});
+    const double h = 1.0 / n[2];
+    const auto right = [&](double x, double y) {
+        return h * Vec2{x, y} + Vec2{0.0, -0.5 * 9.81 * h * h};
+    };
+    QVERIFY(isNear(Vec2{n[9], n[10]}, right(n[0], n[1])));
+    QVERIFY(isNear(Vec2{n[11], n[12]}, right(n[5], n[6])));
+}
+
+void TestToldMotion::aTimestepThatIsRightIsTold()
+{
+    const auto n = numbersIn(body("L42T2", QStringLiteral("c.velocity * math.min(h, 1 / 60)"), fall,
+                                  "With some timesteps the way of circle 1 is not v"),
+                             "With the velocity (#, #) m/s and Δt = 1/# s it goes (#, #) m in a "
+                             "step; v Δt is (#, #) m. With Δt = 1/# s it goes v Δt.");
+    QCOMPARE(n.size(), std::size_t{8});
+    QVERIFY(n[2] < 60.0 && n[7] >= 60.0);
+    QVERIFY(isNear(Vec2{n[3], n[4]}, Vec2{n[0], n[1]} / 60.0));
+}
+
+/// The old place is kept once: from then on no step adds to the one before.
+void TestToldMotion::stepsFromTheStartAreTold()
+{
+    const LawProgram program{.start = QStringLiteral("at = {}"),
+                             .move = QStringLiteral("at[c.index] = at[c.index] or c.position "
+                                                    "c.velocity = c.velocity + gravity * h "
+                                                    "c.position = at[c.index] + c.velocity * h")};
+    const auto n = numbersIn(
+        bodyOfProgram("L42T17", written(program, structures[1]),
+                      "Every step moves both circles on from the place of the start"),
+        "Started with (#, #) m/s, it is (#, #) m from its start after the first step of 1/# s, and "
+        "(#, #) m after the second.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(isNear(n[2], n[5]));
+    QVERIFY(isNear(n[6], n[3] - 9.81 / (n[4] * n[4])));
+}
+
+/// What is kept once is right in the first step, and only there.
+void TestToldMotion::aRightFirstStepIsNotBlamed()
+{
+    const LawProgram once{.start = QStringLiteral("fallen = false"),
+                          .move = QStringLiteral("c.position = c.position + c.velocity * h "
+                                                 "if not fallen then "
+                                                 "c.velocity = c.velocity + gravity * h end "
+                                                 "fallen = true")};
+    const auto n = numbersIn(
+        bodyOfProgram("L42T3", written(once, structures[0]),
+                      "Only the first step changes the velocity of circle 1 rightly"),
+        "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/# s later, which is right; in the "
+        "next step that changes by (#, #) m/s, and gravity gives it (#, #) m/s.");
+    QCOMPARE(n.size(), std::size_t{9});
+    QVERIFY(isNear(n[3], n[1] - 9.81 / n[4]) && n[6] == 0.0 && isNear(n[8], -9.81 / n[4]));
+}
+
+/// A floor that asks "below it or on the way down" turns whatever falls.
+void TestToldMotion::oneThatIsLetGoIsTold()
+{
+    const auto n = numbersIn(body("L42T4", way,
+                                  QStringLiteral("gravity * h if c.velocity.y < 0 then "
+                                                 "c.velocity = vec(c.velocity.x, -c.velocity.y) "
+                                                 "end")),
+                             "Let go at rest, it has (#, #) m/s one step of 1/# s later, far from "
+                             "every wall and every other circle; gravity gives it (#, #) m/s in a "
+                             "step. Thrown with (#, #) m/s it goes on as it should.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(isNear(n[1], 9.81 / n[2]) && isNear(n[4], -9.81 / n[2]) && n[6] > 0.0);
+}
+
+/// Two steps at once, and none in the next one.
+void TestToldMotion::stepsThatAlternateAreTold()
+{
+    const QString twice = QStringLiteral("(step % 2 == 0 and 2 or 0) * ");
+    const QString said =
+        body("L42T4", twice + way, twice + fall, "Not every step of both circles is made alike");
+    QVERIFY(said.contains(QLatin1String("what your program counts")));
+    const QString late = body("L42T4", way, fall + QStringLiteral(" * (time > 1 and 2 or 1)"),
+                              "The step of both circles depends on how long the run has lasted");
+    QVERIFY(!late.isEmpty());
+}
+
+void TestToldMotion::eInTheOpenIsTold()
+{
+    const QString program =
+        written({.move = QStringLiteral("c.velocity = (c.velocity + gravity * h) * "
+                                        "(1 - (1 - restitution) * h) "
+                                        "c.position = c.position + c.velocity * h"),
+                 .walls = wallsOf(wallWays[1])},
+                structures[1]);
+    const LawBench bench(task(QStringLiteral("L42T17")));
+    const MeasuredLaws own(&program, bench.ground);
+    const auto found = flightDeviations(own.flight(), bench.right.flight(), bench.ground);
+    QCOMPARE(found.size(), std::size_t{1});
+    QVERIFY(found.front().hidesHits);
+    const auto n = numbersIn(bodyOf(found, QStringLiteral("e changes the velocity of both circles "
+                                                          "away from any hit")),
+                             "Started with (#, #) m/s, it has (#, #) m/s two steps of 1/# s later "
+                             "with e = #, and (#, #) m/s with e = 1; nothing is near.");
+    QCOMPARE(n.size(), std::size_t{8});
+    const double h = 1.0 / n[4];
+    QVERIFY(isNear(n[2], n[0] * std::pow(1.0 - (1.0 - n[5]) * h, 2)) && n[2] < n[6]);
 }
 
 void TestToldMotion::aNumberForGravityIsTold()

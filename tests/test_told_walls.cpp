@@ -25,6 +25,7 @@ private slots:
     void openWallsAreTold();
     void placeOfAnotherIsTold();
     void hitsWithoutGravityAreTold();
+    void gravityInHitsAloneIsNoFaultOfTheWalls();
     void startOfTheRunIsTold();
     void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
@@ -244,6 +245,23 @@ void TestToldWalls::hitsWithoutGravityAreTold()
 }
 
 /// The old place is kept once and never again.
+/// In the other steps it is missing: that is said of the motion.
+void TestToldWalls::gravityInHitsAloneIsNoFaultOfTheWalls()
+{
+    for (const WallWay &each : {wallWays[0], wallWays[1]}) {
+        const LawProgram program{.move = QStringLiteral("c.position = c.position + c.velocity * h"),
+                                 .walls =
+                                     QStringLiteral("local v = c.velocity ") + wallsOf(each)
+                                     + QStringLiteral(" if (c.velocity - v):length() > 0 then "
+                                                      "c.velocity = c.velocity + gravity * h end")};
+        const LawBench bench(task(QStringLiteral("L42T3")));
+        const QString text = written(program, structures[0]);
+        const MeasuredLaws own(&text, bench.ground);
+        const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
+        QVERIFY2(found.empty(), qPrintable(found.empty() ? QString() : found.front().message));
+    }
+}
+
 void TestToldWalls::startOfTheRunIsTold()
 {
     const LawBench bench(task(text("L42T2")));

@@ -4442,6 +4442,78 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
 
 طارت الدائرتان بسرعة ⁦%1 m/s⁩ على خط المركزين، والخلفية أسرع بمقدار ⁦%2 m/s⁩: حين كانت الدائرة 2 في المقدمة استجابتا والمركزان على بعد ⁦%3 m⁩، وحين كانت الدائرة 1 فعلى بعد ⁦%4 m⁩؛ تتلامس الحافتان عند ⁦%5 m⁩. كلاهما يختلف عن ذلك بما تقطعه دائرة في خطوة: انظر هل الموضعان من اللحظة نفسها، بعد أن تحركت الدائرتان.</translation>
     </message>
+    <message>
+        <source>Every step moves %who on from the place of the start</source>
+        <translation>كل خطوة تحرّك %who من موضع البداية</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it is %2 m from its start after the first step of %3 s, and %4 m after the second. The way of a step is added to the place before that step: is the old place kept anew in every step?</source>
+        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ كانت على بُعد ⁦%2 m⁩ من بدايتها بعد الخطوة الأولى ومدتها ⁦%3 s⁩، وعلى بُعد ⁦%4 m⁩ بعد الثانية. تُضاف مسافة الخطوة إلى الموضع الذي قبلها: فهل يُحفظ الموضع القديم من جديد في كل خطوة؟</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is divided by the timestep</source>
+        <translation>تُقسم الجاذبية على %who على الخطوة الزمنية</translation>
+    </message>
+    <message>
+        <source>An acceleration times a time is a velocity. Look at what stands before the timestep in the line that changes the velocity.</source>
+        <translation>التسارع مضروبًا في الزمن سرعة. انظر ماذا يسبق الخطوة الزمنية في السطر الذي يغيّر السرعة.</translation>
+    </message>
+    <message>
+        <source>Not every step of %who is made alike</source>
+        <translation>ليست كل خطوات %who متماثلة</translation>
+    </message>
+    <message>
+        <source>A step or two later it is as at the start again. Look at what your program counts, or keeps from one step to the next.</source>
+        <translation>بعد خطوة أو خطوتين يعود الأمر كما في البداية. انظر ما الذي يعدّه برنامجك أو يحتفظ به من خطوة إلى التالية.</translation>
+    </message>
+    <message>
+        <source>Only the first step changes the velocity of %who rightly</source>
+        <translation>الخطوة الأولى وحدها تغيّر سرعة %who كما يجب</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, which is right; in the next step that changes by %4 m/s, and gravity gives it %5 m/s. Look at which velocity the line that changes it goes on from, and at what your program keeps from one step to the next.</source>
+        <translation>إذا رُميت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد خطوة مدتها ⁦%3 s⁩، وهذا صحيح؛ وفي الخطوة التالية تتغيّر بمقدار ⁦%4 m/s⁩ والجاذبية تعطيها ⁦%5 m/s⁩. انظر من أي سرعة ينطلق السطر الذي يغيّرها، وما الذي يحتفظ به برنامجك من خطوة إلى التالية.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it has %1 m/s one step of %2 s later, far from every wall and every other circle; gravity gives it %3 m/s in a step. Thrown with %4 m/s it goes on as it should.</source>
+        <translation>إذا تُركت ساكنةً كانت سرعتها ⁦%1 m/s⁩ بعد خطوة مدتها ⁦%2 s⁩، بعيدةً عن كل جدار وكل دائرة أخرى؛ والجاذبية تعطيها ⁦%3 m/s⁩ في الخطوة. وإذا رُميت بسرعة ⁦%4 m/s⁩ تابعت كما يجب.</translation>
+    </message>
+    <message>
+        <source>e changes the velocity of %who away from any hit</source>
+        <translation>يغيّر ⁦e⁩ سرعة %who بعيدًا عن أي تصادم</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later with e = %4, and %5 m/s with e = 1; nothing is near. e belongs to hits alone: look at what is asked before the line that takes it.</source>
+        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ كانت سرعتها بعد خطوتين مدة كل منهما ⁦%3 s⁩ مع ⁦e = %4⁩ هي ⁦%2 m/s⁩ ومع ⁦e = 1⁩ هي ⁦%5 m/s⁩؛ ولا شيء قريب. ⁦e⁩ للتصادمات وحدها: انظر ما الذي يُسأل قبل السطر الذي يأخذه.</translation>
+    </message>
+    <message>
+        <source>With some timesteps the way of %who is not v Δt</source>
+        <translation>مع بعض الخطوات الزمنية ليست مسافة %who هي ⁦v&#xa0;Δt⁩</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it goes v Δt. Look at which Δt the line that changes the position takes.</source>
+        <translation>مع ⁦Δt = %1 s⁩ تكون المسافة ⁦v&#xa0;Δt⁩. انظر أي ⁦Δt⁩ يأخذ السطر الذي يغيّر الموضع.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; %6 and %7 m are right.</source>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ والصحيح ⁨%6⁩ و⁦%7 m⁩.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it goes as it should.</source>
+        <translation>إذا تُركت ساكنةً تحركت كما يجب.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is wrong</source>
+        <translation>مسافة %who في الخطوة خاطئة</translation>
+    </message>
+    <message>
+        <source>The way of %who is divided by the timestep</source>
+        <translation>مسافة %who تُقسم على الخطوة الزمنية</translation>
+    </message>
+    <message>
+        <source>A velocity times a time is a length. Look at what stands before the timestep in the line that moves it.</source>
+        <translation>السرعة مضروبةً في الزمن طول. انظر ماذا يسبق الخطوة الزمنية في السطر الذي يحرّك الدائرة.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

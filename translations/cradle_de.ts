@@ -4390,6 +4390,78 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
 
 Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der hintere um %2 m/s schneller: War Kreis 2 vorn, antworteten sie bei %3 m Abstand der Mittelpunkte, war es Kreis 1, bei %4 m; die Ränder berühren sich bei %5 m. Beides weicht davon um das ab, was ein Kreis in einem Schritt fliegt: Sieh nach, ob beide Orte vom selben Zeitpunkt sind, nachdem sich beide bewegt haben.</translation>
     </message>
+    <message>
+        <source>Every step moves %who on from the place of the start</source>
+        <translation>Jeder Schritt bewegt %who vom Ort des Starts weiter</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it is %2 m from its start after the first step of %3 s, and %4 m after the second. The way of a step is added to the place before that step: is the old place kept anew in every step?</source>
+        <translation>Mit %1 m/s gestartet, ist er nach dem ersten Schritt von %3 s um %2 m von seinem Start entfernt und nach dem zweiten um %4 m. Der Weg eines Schritts kommt zum Ort vor diesem Schritt hinzu: Wird der alte Ort in jedem Schritt neu gemerkt?</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is divided by the timestep</source>
+        <translation>Für %who wird die Schwerkraft durch den Zeitschritt geteilt</translation>
+    </message>
+    <message>
+        <source>An acceleration times a time is a velocity. Look at what stands before the timestep in the line that changes the velocity.</source>
+        <translation>Eine Beschleunigung mal eine Zeit ist eine Geschwindigkeit. Sieh nach, was in der Zeile, die die Geschwindigkeit ändert, vor dem Zeitschritt steht.</translation>
+    </message>
+    <message>
+        <source>Not every step of %who is made alike</source>
+        <translation>Nicht jeder Schritt ist gleich gemacht, für %who</translation>
+    </message>
+    <message>
+        <source>A step or two later it is as at the start again. Look at what your program counts, or keeps from one step to the next.</source>
+        <translation>Ein oder zwei Schritte später ist es wieder wie am Start. Sieh nach, was dein Programm zählt oder von einem Schritt zum nächsten behält.</translation>
+    </message>
+    <message>
+        <source>Only the first step changes the velocity of %who rightly</source>
+        <translation>Nur der erste Schritt ändert die Geschwindigkeit richtig, für %who</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, which is right; in the next step that changes by %4 m/s, and gravity gives it %5 m/s. Look at which velocity the line that changes it goes on from, and at what your program keeps from one step to the next.</source>
+        <translation>Mit %1 m/s geworfen, hat er einen Schritt von %3 s später %2 m/s, und das ist richtig; im nächsten Schritt ändert sie sich um %4 m/s, und die Schwerkraft gibt ihm %5 m/s. Sieh nach, von welcher Geschwindigkeit die Zeile ausgeht, die sie ändert, und was dein Programm von einem Schritt zum nächsten behält.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it has %1 m/s one step of %2 s later, far from every wall and every other circle; gravity gives it %3 m/s in a step. Thrown with %4 m/s it goes on as it should.</source>
+        <translation>In Ruhe losgelassen, hat er einen Schritt von %2 s später %1 m/s, fern von jeder Wand und jedem anderen Kreis; die Schwerkraft gibt ihm %3 m/s in einem Schritt. Mit %4 m/s geworfen, fliegt er so weiter, wie er soll.</translation>
+    </message>
+    <message>
+        <source>e changes the velocity of %who away from any hit</source>
+        <translation>Fern von jedem Stoß ändert e die Geschwindigkeit, für %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later with e = %4, and %5 m/s with e = 1; nothing is near. e belongs to hits alone: look at what is asked before the line that takes it.</source>
+        <translation>Mit %1 m/s gestartet, hat er zwei Schritte von %3 s später mit e = %4 noch %2 m/s und mit e = 1 noch %5 m/s; nichts ist in der Nähe. e gehört allein zu Stößen: Sieh nach, was vor der Zeile gefragt wird, die es nimmt.</translation>
+    </message>
+    <message>
+        <source>With some timesteps the way of %who is not v Δt</source>
+        <translation>Mit manchen Zeitschritten ist der Weg nicht v Δt, für %who</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it goes v Δt. Look at which Δt the line that changes the position takes.</source>
+        <translation>Mit Δt = %1 s kommt er um v Δt weiter. Sieh nach, welches Δt die Zeile nimmt, die den Ort ändert.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; %6 and %7 m are right.</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt er in einem Schritt um %3 m weiter, mit %4 m/s um %5 m; richtig sind %6 und %7 m.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it goes as it should.</source>
+        <translation>In Ruhe losgelassen, bewegt er sich, wie er soll.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is wrong</source>
+        <translation>Der Weg eines Schritts ist falsch, für %who</translation>
+    </message>
+    <message>
+        <source>The way of %who is divided by the timestep</source>
+        <translation>Für %who wird der Weg durch den Zeitschritt geteilt</translation>
+    </message>
+    <message>
+        <source>A velocity times a time is a length. Look at what stands before the timestep in the line that moves it.</source>
+        <translation>Eine Geschwindigkeit mal eine Zeit ist eine Länge. Sieh nach, was in der Zeile, die den Kreis bewegt, vor dem Zeitschritt steht.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

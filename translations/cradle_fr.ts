@@ -4390,6 +4390,78 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
 
 Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derrière plus vite de %2 m/s&#xa0;: quand le cercle 2 était devant, ils ont réagi avec des centres à %3 m l&apos;un de l&apos;autre, quand c&apos;était le cercle 1, à %4 m&#xa0;; les bords se touchent à %5 m. Les deux s&apos;en écartent de ce qu&apos;un cercle parcourt en un pas&#xa0;: regardez si les deux positions sont du même instant, après le déplacement des deux.</translation>
     </message>
+    <message>
+        <source>Every step moves %who on from the place of the start</source>
+        <translation>Chaque pas repart de la position de départ, pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it is %2 m from its start after the first step of %3 s, and %4 m after the second. The way of a step is added to the place before that step: is the old place kept anew in every step?</source>
+        <translation>Parti à %1 m/s, il est à %2 m de son départ après le premier pas de %3 s, et à %4 m après le second. Le chemin d&apos;un pas s&apos;ajoute à la position d&apos;avant ce pas&#xa0;: l&apos;ancienne position est-elle gardée à nouveau à chaque pas&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Gravity on %who is divided by the timestep</source>
+        <translation>La pesanteur est divisée par le pas de temps, pour %who</translation>
+    </message>
+    <message>
+        <source>An acceleration times a time is a velocity. Look at what stands before the timestep in the line that changes the velocity.</source>
+        <translation>Une accélération fois un temps est une vitesse. Regardez ce qui précède le pas de temps dans la ligne qui change la vitesse.</translation>
+    </message>
+    <message>
+        <source>Not every step of %who is made alike</source>
+        <translation>Les pas ne sont pas tous faits de la même façon, pour %who</translation>
+    </message>
+    <message>
+        <source>A step or two later it is as at the start again. Look at what your program counts, or keeps from one step to the next.</source>
+        <translation>Un ou deux pas plus tard, c&apos;est de nouveau comme au départ. Regardez ce que votre programme compte, ou garde d&apos;un pas au suivant.</translation>
+    </message>
+    <message>
+        <source>Only the first step changes the velocity of %who rightly</source>
+        <translation>Seul le premier pas change correctement la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, which is right; in the next step that changes by %4 m/s, and gravity gives it %5 m/s. Look at which velocity the line that changes it goes on from, and at what your program keeps from one step to the next.</source>
+        <translation>Lancé à %1 m/s, il a %2 m/s un pas de %3 s plus tard, et c&apos;est juste&#xa0;; au pas suivant sa vitesse change de %4 m/s, et la pesanteur lui donne %5 m/s. Regardez de quelle vitesse part la ligne qui la change, et ce que votre programme garde d&apos;un pas au suivant.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it has %1 m/s one step of %2 s later, far from every wall and every other circle; gravity gives it %3 m/s in a step. Thrown with %4 m/s it goes on as it should.</source>
+        <translation>Lâché au repos, il a %1 m/s un pas de %2 s plus tard, loin de toute paroi et de tout autre cercle&#xa0;; la pesanteur lui donne %3 m/s par pas. Lancé à %4 m/s, il continue comme il le doit.</translation>
+    </message>
+    <message>
+        <source>e changes the velocity of %who away from any hit</source>
+        <translation>Loin de tout choc, e change la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s two steps of %3 s later with e = %4, and %5 m/s with e = 1; nothing is near. e belongs to hits alone: look at what is asked before the line that takes it.</source>
+        <translation>Parti à %1 m/s, il a deux pas de %3 s plus tard %2 m/s avec e = %4, et %5 m/s avec e = 1&#xa0;; rien n&apos;est proche. e ne concerne que les chocs&#xa0;: regardez ce qui est demandé avant la ligne qui s&apos;en sert.</translation>
+    </message>
+    <message>
+        <source>With some timesteps the way of %who is not v Δt</source>
+        <translation>Avec certains pas de temps, le chemin n&apos;est pas v Δt, pour %who</translation>
+    </message>
+    <message>
+        <source>With Δt = %1 s it goes v Δt. Look at which Δt the line that changes the position takes.</source>
+        <translation>Avec Δt = %1 s, le chemin est v Δt. Regardez quel Δt prend la ligne qui change la position.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; %6 and %7 m are right.</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; avec %4 m/s, de %5 m&#xa0;; les valeurs justes sont %6 et %7 m.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it goes as it should.</source>
+        <translation>Lâché au repos, il se déplace comme il le doit.</translation>
+    </message>
+    <message>
+        <source>The way of %who in a step is wrong</source>
+        <translation>Le chemin d&apos;un pas est faux, pour %who</translation>
+    </message>
+    <message>
+        <source>The way of %who is divided by the timestep</source>
+        <translation>Le chemin est divisé par le pas de temps, pour %who</translation>
+    </message>
+    <message>
+        <source>A velocity times a time is a length. Look at what stands before the timestep in the line that moves it.</source>
+        <translation>Une vitesse fois un temps est une longueur. Regardez ce qui précède le pas de temps dans la ligne du déplacement.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -91,7 +91,9 @@ std::optional<Fault> outside(const CheckSpec &check, const Observation &o, doubl
 }
 
 /// A circle that is held at a wall into which it still moves.
-std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity, double restitution)
+/// \param collisions  whether another circle may push it back to the wall
+std::optional<Fault> stuck(const Observation &o, int i, bool collisions, Vec2 gravity,
+                           double restitution)
 {
     for (const Wall wall : allWalls) {
         const Vec2 n = outwardNormal(wall);
@@ -101,7 +103,9 @@ std::optional<Fault> stuck(const Observation &o, int i, Vec2 gravity, double res
             const double into = dot(c.velocity, n);
             const double resting = restingSteps * quickLength(gravity) * o.timestep();
             const bool passes = motion::wallGap(o, c, wall) < into * o.timestep();
-            held = passes && into > resting + stopped && !motion::isKicked(o, i, k, gravity)
+            const bool isPushed = collisions && motion::isNearCircle(o, i, k, gravity);
+            held = passes && into > resting + stopped && !isPushed
+                           && !motion::isKicked(o, i, k, gravity)
                        ? held + 1
                        : 0;
             if (held < patience)
@@ -176,7 +180,7 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
     const double restitution = motion::restitutionOf(check, o);
     int hits = 0;
     for (const int i : check.circles) {
-        if (auto fault = stuck(o, i, gravity, restitution))
+        if (auto fault = stuck(o, i, collisions, gravity, restitution))
             return fault;
         if (auto fault = leap(o, i, collisions, gravity))
             return fault;

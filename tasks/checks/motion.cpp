@@ -61,7 +61,11 @@ std::optional<qint64> strayInTheOpen(const Observation &o, int i, Vec2 gravity)
         ++open;
         const Circle &c = o.circle(i, step);
         const Vec2 beside = o.circle(i, step + 1).position - c.position - dt * c.velocity;
-        if (quickLength(beside) <= quickLength(gravity) * dt * dt + samePosition)
+        const double fall = quickLength(gravity) * dt * dt;
+        const double along = fall > 0.0 ? dot(beside, gravity) / quickLength(gravity) : 0.0;
+        const double across = fall > 0.0 ? std::abs(cross(beside, gravity)) / quickLength(gravity)
+                                         : quickLength(beside);
+        if (across <= samePosition && along >= -samePosition && along <= fall + samePosition)
             continue;
         ++stray;
         if (!first)
@@ -84,25 +88,6 @@ Fault strayFault(const Observation &o, int i, qint64 k)
             .expected = x ? way.x : way.y,
             .observed = x ? moved.x : moved.y,
             .unit = QStringLiteral("m"),
-            .step = k + 1,
-            .circle = i};
-}
-
-Fault changedFault(const Observation &o, int i, qint64 k, Vec2 gravity)
-{
-    const Vec2 before = o.circle(i, k).velocity;
-    const Vec2 after = o.circle(i, k + 1).velocity;
-    const Vec2 right = before + o.timestep() * gravity;
-    const bool x = std::abs(after.x - right.x) > std::abs(after.y - right.y);
-    return {.message = MotionText::tr("At step %1, where it touches nothing, the velocity of "
-                                      "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
-                                      "judged when its motion is right")
-                           .arg(QString::number(k + 1), QString::number(i + 1),
-                                figureBeside(before, after), figureBeside(after, right),
-                                figureBeside(right, after)),
-            .expected = x ? right.x : right.y,
-            .observed = x ? after.x : after.y,
-            .unit = QStringLiteral("m/s"),
             .step = k + 1,
             .circle = i};
 }
@@ -148,11 +133,30 @@ bool isKicked(const Observation &o, int i, qint64 k, Vec2 gravity, double tolera
            > tolerance * (1.0 + quickLength(o.circle(i, k).velocity));
 }
 
+Fault changedInOpen(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const Vec2 before = o.circle(i, k).velocity;
+    const Vec2 after = o.circle(i, k + 1).velocity;
+    const Vec2 right = before + o.timestep() * gravity;
+    const bool x = std::abs(after.x - right.x) > std::abs(after.y - right.y);
+    return {.message = MotionText::tr("At step %1, where it touches nothing, the velocity of "
+                                      "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
+                                      "judged when its motion is right")
+                           .arg(QString::number(k + 1), QString::number(i + 1),
+                                figureBeside(before, after), figureBeside(after, right),
+                                figureBeside(right, after)),
+            .expected = x ? right.x : right.y,
+            .observed = x ? after.x : after.y,
+            .unit = QStringLiteral("m/s"),
+            .step = k + 1,
+            .circle = i};
+}
+
 std::optional<Fault> steadyFault(const Observation &o, int i, Vec2 gravity,
                                  std::optional<Vec2> axis)
 {
     if (const auto changed = changedInTheOpen(o, i, gravity, axis))
-        return changedFault(o, i, *changed, gravity);
+        return changedInOpen(o, i, *changed, gravity);
     const auto stray = strayInTheOpen(o, i, gravity);
     return stray ? std::optional(strayFault(o, i, *stray)) : std::nullopt;
 }

@@ -41,6 +41,9 @@ inline constexpr double samePosition = 1e-9;
 [[nodiscard]] std::optional<Fault> steadyFault(const Observation &o, int i, Vec2 gravity,
                                                std::optional<Vec2> axis = {});
 
+/// That gravity is not all that changes circle \p i in the step after \p k, where it meets nothing.
+[[nodiscard]] Fault changedInOpen(const Observation &o, int i, qint64 k, Vec2 gravity);
+
 /// The furthest that circle \p i can come in the step after \p k, m.
 [[nodiscard]] double travel(const Observation &o, int i, qint64 k, Vec2 gravity);
 

@@ -19,6 +19,8 @@ struct BounceText {
 
 /// What a wall only holds falls for less than so many steps before it is stopped again.
 constexpr double heldSteps = 1.5;
+/// What turns round and is so many times as fast as before was not turned by a wall.
+constexpr double mostBack = 2.0;
 /// Relative: what is turned round keeps its speed.
 constexpr double turnedTolerance = 1e-6;
 
@@ -79,6 +81,8 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         return steady;
     if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
         return alongWall(axis, change);
+    if (std::abs(after) > mostBack * std::abs(kept))
+        return motion::changedInOpen(o, circle, step, gravity);
     return fault(beforeTouching(o, circle, step, ahead), kept, after);
 }
 

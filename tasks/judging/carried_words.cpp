@@ -76,6 +76,15 @@ public:
                                "it for the next.")
                     .arg(brief(f.startedWith), brief(f.turnedInto)),
                 false);
+        if (f.isOfStart && !right().isOfStart)
+            return said(FlightText::tr("Every step moves %who on from the place of the start"),
+                        FlightText::tr("Started with %1 m/s, it is %2 m from its start after the "
+                                       "first step of %3 s, and %4 m after the second. The way of "
+                                       "a step is added to the place before that step: is the old "
+                                       "place kept anew in every step?")
+                            .arg(brief(f.startedWith), brief(f.firstWay), briefTimestep(timestep()),
+                                 brief(f.firstWay + f.wayMade)),
+                        true);
         if (f.leader >= 0 && f.isFromLeader && right().leader < 0)
             return said(
                 FlightText::tr("Every step moves %who on from where circle %1 is")

@@ -76,6 +76,8 @@ TimestepPattern patternOf(const std::vector<std::pair<double, double>> &factors)
         return {Kind::Forgotten, 1.0};
     if (all([](double h, double f) { return f / h; }, 1.0))
         return {Kind::Squared, 1.0};
+    if (all([](double h, double f) { return f * h * h; }, 1.0))
+        return {Kind::Divided, 1.0};
     const bool constant = std::all_of(factors.begin(), factors.end(), [f = f0](const auto &each) {
         return isAlike(each.second, f, patternBlur);
     });

@@ -54,6 +54,8 @@ struct LawDeviation {
     bool isEverywhere = false;  ///< of a wall's reach: no wall is known where it is right
     bool isConditional = false; ///< what is asked for comes out right at times
     bool isOfSome = false;      ///< it says itself that not all come out wrong
+    bool isMethod = false;      ///< of the motion: which integrator it is
+    bool hidesHits = false;     ///< of the motion: hits are not seen through it
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.
@@ -71,6 +73,7 @@ struct TimestepPattern {
         Constant,  ///< the same at every h
         Forgotten, ///< 1/h: h is missing
         Squared,   ///< h: once too often
+        Divided,   ///< 1/h²: by it in place of times it
         Fixed,     ///< T/h: a number stands for h
         Other
     };

@@ -20,18 +20,38 @@ public:
     [[nodiscard]] std::optional<FlightSaid> drift() const
     {
         for (const Vec2 g : m_ground.gravities) {
-            if (isShare(g))
+            if (auto fault = driftUnder(g))
+                return fault;
+        }
+        return std::nullopt;
+    }
+
+    /// Of one that gravity takes from rest so far that a wall holds it: under weaker gravity.
+    [[nodiscard]] std::optional<FlightSaid> strongDrift() const
+    {
+        const auto start = m_ground.stage().circles[static_cast<std::size_t>(m_i)].body.position;
+        for (const Vec2 g : m_ground.gravities) {
+            if (length(at(g, 0).restedAt - start) < farInAStep)
                 continue;
-            for (const int power : {0, 1, 2}) {
-                if (const auto besides = goesWith(power, g))
-                    return told(power, g, *besides);
-            }
-            return odd(g);
+            const Vec2 weaker = weak * g;
+            if (at(weaker, 0).isKnown && at(weaker, 1).isKnown)
+                return driftUnder(weaker);
         }
         return std::nullopt;
     }
 
 private:
+    [[nodiscard]] std::optional<FlightSaid> driftUnder(Vec2 g) const
+    {
+        if (isShare(g))
+            return std::nullopt;
+        for (const int power : {0, 1, 2}) {
+            if (const auto besides = goesWith(power, g))
+                return told(power, g, *besides);
+        }
+        return odd(g);
+    }
+
     /// What is nothing but rounding, m.
     static constexpr double noWay = 1e-9;
     static constexpr std::array shares{0.0, 0.5, 1.0};
@@ -63,11 +83,15 @@ private:
         for (const double share : shares) {
             const Vec2 one = left(g, 0, share) / std::pow(m_h[0], power);
             const Vec2 two = left(g, 1, share) / std::pow(m_h[1], power);
-            if (length(one - two) < 1e-4 * length(one) && isWanted(share))
+            if (length(one - two) < 1e-4 * length(one) && isLeftBy(share))
                 return one;
         }
         return std::nullopt;
     }
+
+    /// Whether what a method with that share leaves is looked at: one that would be right, or all
+    /// that is besides v Δt.
+    [[nodiscard]] bool isLeftBy(double share) const { return share == 0.0 || isWanted(share); }
 
     /// Whether a method with that share would be right.
     [[nodiscard]] bool isWanted(double share) const
@@ -85,7 +109,7 @@ private:
         return std::none_of(shares.begin(), shares.end(), [&](double share) {
             const Vec2 same =
                 (f.drift - share * m_h[0] * m_h[0] * f.acceleration) / std::pow(m_h[0], power);
-            return isWanted(share) && length(same - besides) < 1e-3 * length(besides);
+            return isLeftBy(share) && length(same - besides) < 1e-3 * length(besides);
         });
     }
 
@@ -142,6 +166,11 @@ private:
 std::optional<FlightSaid> driftSaid(const FlightComparison &comparison)
 {
     return DriftJudge(comparison).drift();
+}
+
+std::optional<FlightSaid> strongDriftSaid(const FlightComparison &comparison)
+{
+    return DriftJudge(comparison).strongDrift();
 }
 
 } // namespace cradle

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/flight_comparison.h"
 #include "tasks/judging/likeness.h"
 
@@ -43,9 +44,6 @@ public:
     }
 
 private:
-    static constexpr double farInAStep = 0.5; ///< m, a small part of the square
-    static constexpr double weak = 1e-3;
-
     [[nodiscard]] Vec2 own(Vec2 g) const { return m_own.at(g, timestep(), m_i).acceleration; }
     [[nodiscard]] Vec2 wanted(Vec2 g) const { return m_right.at(g, timestep(), m_i).acceleration; }
 
@@ -88,10 +86,11 @@ private:
 
     [[nodiscard]] QString turnUnder(Vec2 g, double h) const
     {
+        const Vec2 is = h * m_own.at(g, h, m_i).acceleration;
+        const Vec2 asked = h * m_right.at(g, h, m_i).acceleration;
         return FlightText::tr("Under gravity %1 m/s² the velocity changes by %2 m/s in a step of "
                               "%3 s; it should change by %4 m/s.")
-            .arg(brief(g), brief(h * m_own.at(g, h, m_i).acceleration), briefTimestep(h),
-                 brief(h * m_right.at(g, h, m_i).acceleration));
+            .arg(brief(g), briefBeside(is, asked), briefTimestep(h), briefBeside(asked, is));
     }
 
     /// Another gravity of the same direction: one of the step's, if there is one.
@@ -100,6 +99,9 @@ private:
         if (g == Vec2{})
             return {0.0, -2.0};
         const auto &all = m_ground.gravities;
+        // Beside a weaker one that was tried for that the step's own are too strong.
+        if (std::find(all.begin(), all.end(), g) == all.end())
+            return 0.5 * g;
         const auto other = std::find_if(all.begin(), all.end(), [&](Vec2 each) {
             return each != g && each != Vec2{} && std::abs(cross(each, g)) < 1e-9;
         });
@@ -171,6 +173,11 @@ private:
             return {FlightText::tr("Gravity on %who is multiplied by the timestep twice"),
                     FlightText::tr("Count how often the timestep stands in the line that changes "
                                    "the velocity.")};
+        case Kind::Divided:
+            return {FlightText::tr("Gravity on %who is divided by the timestep"),
+                    FlightText::tr("An acceleration times a time is a velocity. Look at what "
+                                   "stands before the timestep in the line that changes the "
+                                   "velocity.")};
         case Kind::Fixed:
             return {FlightText::tr("A fixed number stands for the timestep in the fall of %who"),
                     FlightText::tr(

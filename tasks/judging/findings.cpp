@@ -49,7 +49,7 @@ public:
                 takeUnchanged();
             if (!m_deviations.isAsked(aspect) || (aspect == Aspect::Motion && isTurnedAhead())
                 || (aspect == Aspect::Response && m_unchanged)
-                || (aspect != Aspect::Motion && m_motion.isOfPlace))
+                || (aspect != Aspect::Motion && (m_motion.isOfPlace || hidesHits())))
                 continue;
             ConditionedAspect said = withConditions(aspect);
             take(aspect, said.deviations);
@@ -116,11 +116,27 @@ private:
                   });
     }
 
+    /// Whether hits cannot be seen through what is wrong with the motion.
+    [[nodiscard]] bool hidesHits() const
+    {
+        return std::any_of(m_motion.deviations.begin(), m_motion.deviations.end(),
+                           [](const LawDeviation &each) { return each.hidesHits; });
+    }
+
+    /// Whether the circles do not fly as asked; another integrator moves them almost alike.
+    [[nodiscard]] bool isMotionWrong() const
+    {
+        return std::any_of(m_motion.deviations.begin(), m_motion.deviations.end(),
+                           [](const LawDeviation &each) { return !each.isMethod; });
+    }
+
     [[nodiscard]] ConditionedAspect withConditions(Aspect aspect) const
     {
         std::vector<LawDeviation> found = m_deviations.of(m_own, aspect);
+        // What the own scene shows, other than the measured ones, is seen through its motion.
         std::erase_if(found, [&](const LawDeviation &each) {
-            return m_unchanged && each.moment.circles == std::vector<int>{*m_unchanged};
+            return (m_unchanged && each.moment.circles == std::vector<int>{*m_unchanged})
+                   || (aspect != Aspect::Motion && !each.moment.stage.pinned && isMotionWrong());
         });
         // How they fly is not always the same: nor is what comes of it.
         if (!m_motion.deviations.empty() && m_motion.deviations.front().isConditional)

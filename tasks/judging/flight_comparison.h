@@ -25,6 +25,7 @@ struct FlightSaid {
     Moment moment{};
     bool isMethod = false; ///< it is about the integrator
     Suspect suspect = Suspect::Answer;
+    bool hidesHits = false; ///< hits are not seen through it
 };
 
 /// The flight of one circle beside that of the reference.
@@ -33,6 +34,11 @@ class FlightComparison
 public:
     /// Relative: what is more is another law, not another rounding.
     static constexpr double wrong = 1e-4;
+    /// Who goes so far in a step, m, comes to a wall within the flights: a small part of the
+    /// square.
+    static constexpr double farInAStep = 0.5;
+    /// Then gravity and velocities of so much are tried in place of the usual ones.
+    static constexpr double weak = 1e-3;
 
     FlightComparison(const MeasuredFlight &own, const MeasuredFlight &right, const Ground &ground,
                      int circle)
@@ -147,8 +153,15 @@ protected:
                                                     Vec2 gravity);
 /// The same where it is so strong that nothing else can be told of the flights.
 [[nodiscard]] std::optional<FlightSaid> strongFallSaid(const FlightComparison &comparison);
+/// What gravity adds to the place, where that is so much that nothing else can be told.
+[[nodiscard]] std::optional<FlightSaid> strongDriftSaid(const FlightComparison &comparison);
+/// The same of the way by its velocity.
+[[nodiscard]] std::optional<FlightSaid> strongWaySaid(const FlightComparison &comparison);
 /// What is odd in the student's own scene alone.
 [[nodiscard]] std::optional<FlightSaid> ownSceneSaid(const FlightComparison &comparison);
+
+/// Whether e, which is of hits, changes its velocity.
+[[nodiscard]] std::optional<FlightSaid> lossSaid(const FlightComparison &comparison);
 
 /// Whether its place, or its velocity, changes its velocity otherwise than asked.
 [[nodiscard]] std::optional<FlightSaid> pullSaid(const FlightComparison &comparison);

@@ -116,7 +116,8 @@ std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Gro
                            [&](double s) { return std::abs(s - share) < 1e-3; });
     };
     LawDeviation deviation{
-        Aspect::Motion, {}, {flightStage(ground, ground.gravities.front(), h), 2, circles, true}};
+        .moment = {flightStage(ground, ground.gravities.front(), h), 2, circles, true},
+        .isMethod = true};
     const bool exchanged =
         asks(0, shares[1]) && asks(1, shares[0]) && !asks(0, shares[0]) && !asks(1, shares[1]);
     if (exchanged) {

@@ -83,17 +83,22 @@ bool keepsSpeed(const Flight &slow, const Steps &rest, const Steps &run, std::si
            && (slow.resetsY || std::abs(kept.x) > 0.5 * std::abs(run.start[i].velocity.x));
 }
 
+/// Whether circle \p i goes the same two steps in both.
+bool areSame(const Steps &a, const Steps &b, std::size_t i)
+{
+    const auto same = [](const Circle &one, const Circle &other) {
+        return length(one.position - other.position) + length(one.velocity - other.velocity)
+               <= 1e-9 * (1.0 + length(other.position) + length(other.velocity));
+    };
+    return same(a.before[i], b.before[i]) && same(a.after[i], b.after[i]);
+}
+
 /// Compares a run that is late with one that is not.
 void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t i)
 {
     if (!late.made)
         return;
-    const auto same = [](const Circle &a, const Circle &b) {
-        return length(a.position - b.position) + length(a.velocity - b.velocity)
-               <= 1e-9 * (1.0 + length(b.position) + length(b.velocity));
-    };
-    flight.isTimeless =
-        same(first.before[i], late.before[i]) && same(first.after[i], late.after[i]);
+    flight.isTimeless = areSame(first, late, i);
     flight.lateWay = late.after[i].position - late.before[i].position;
     flight.lateVelocity = late.before[i].velocity;
     flight.firstWay = first.before[i].position - first.start[i].position;
@@ -202,6 +207,13 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         flights[i].follows = followedBy(first, i);
         flights[i].borrows = borrowedBy(rest, first, second, i);
         readLate(flights[i], first, late, i);
+        for (const qint64 more : {1, 2}) {
+            if (flights[i].isTimeless || flights[i].isCounted)
+                break;
+            const Steps later =
+                fly(program, flightPreset(ground, gravity, h, Scene::First), lateSteps + more);
+            flights[i].isCounted = later.made && areSame(first, later, i);
+        }
         flights[i].isKnown = flights[i].isKnown && flights[i].follows < 0 && flights[i].borrows < 0
                              && flights[i].isTimeless;
         if (flights[i].isKnown) {
@@ -245,6 +257,30 @@ std::optional<Flight::Step> measureWhileOthersRest(const QString *program, const
                                                    Vec2 gravity, double h, std::size_t i)
 {
     return secondStep(fly(program, flightPreset(ground, gravity, h, Scene::Apart, i)), i);
+}
+
+std::optional<Flight::Step> measureWithRestitution(const QString *program, const Ground &ground,
+                                                   Vec2 gravity, double h, std::size_t i,
+                                                   double restitution)
+{
+    Preset preset = flightPreset(ground, gravity, h, Scene::First);
+    preset.restitution = restitution;
+    return secondStep(fly(program, preset), i);
+}
+
+std::optional<Flight::Step> measureSlowStart(const QString *program, const Ground &ground,
+                                             double slower, double h, std::size_t i)
+{
+    Preset preset = flightPreset(ground, {}, h, Scene::First);
+    for (auto &each : preset.circles)
+        each.body.velocity = slower * each.body.velocity;
+    Probe probe(program, {preset, true});
+    const Circle &start = preset.circles[i].body;
+    if (!probe.runs() || !probe.step())
+        return std::nullopt;
+    const Circle &now = probe.circle(static_cast<int>(i));
+    return Flight::Step{start.velocity, now.position - start.position,
+                        now.velocity - start.velocity};
 }
 
 Stage flightStage(const Ground &ground, Vec2 gravity, double h, Flight::Speed speed)

@@ -44,11 +44,13 @@ struct Flight {
     Follows yFollows = Follows::Itself;
     Vec2 startedAt{};          ///< for words about it, m
     Vec2 putAt{};              ///< where it was one step later, m
+    bool isOfStart = false;    ///< each step goes on from where the run began
     int leader = -1;           ///< the circle whose velocity moves it, if it is not its own
     bool isFromLeader = false; ///< it goes on from where that one is
     int borrows = -1;          ///< the circle whose velocity it has after a step, and not its own
     bool onlySlow = false;     ///< what resets does so of slow circles only
     bool isTimeless = true;    ///< the same start gives the same step at any time of a run
+    bool isCounted = false;    ///< it does so again a step or two later than where it does not
     Vec2 lateWay{};            ///< of a step late in a run that starts as seen[0] did, m
     Vec2 lateVelocity{};       ///< after the first of such steps, m/s
     Vec2 firstWay{};           ///< of the first step of a run, m
@@ -89,6 +91,19 @@ struct Flight {
 [[nodiscard]] std::optional<Flight::Step> measureWhileOthersRest(const QString *program,
                                                                  const Ground &ground, Vec2 gravity,
                                                                  double h, std::size_t i);
+
+/// The second step of a circle \p i that starts as in the first of those flights, with that
+/// restitution.
+[[nodiscard]] std::optional<Flight::Step> measureWithRestitution(const QString *program,
+                                                                 const Ground &ground, Vec2 gravity,
+                                                                 double h, std::size_t i,
+                                                                 double restitution);
+
+/// The first step of a circle \p i without gravity, \p slower times as fast as in the first of
+/// those flights.
+[[nodiscard]] std::optional<Flight::Step> measureSlowStart(const QString *program,
+                                                           const Ground &ground, double slower,
+                                                           double h, std::size_t i);
 
 /// One scene of such a flight, to be shown: all circles move.
 /// \param speed  of the circles

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/flight_words.h"
 
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/flight_comparison.h"
 #include "tasks/judging/flight_scenes.h"
 #include "tasks/judging/likeness.h"
@@ -37,7 +38,11 @@ private:
         std::vector<FlightSaid> said;
         if (auto fault = timeless())
             return {*fault};
-        if (auto fault = strongFallSaid(*this))
+        for (const auto law : {strongFallSaid, strongDriftSaid}) {
+            if (auto fault = law(*this))
+                return {*fault};
+        }
+        if (auto fault = letGo())
             return {*fault};
         if (auto fault = leap(); fault && flight(0).leap->speed == Flight::Speed::Any)
             return {*fault};
@@ -65,18 +70,21 @@ private:
         const bool isWayRight = said.empty();
         // What the place does shows in all that is measured at one place, and who turns in every
         // step gets nowhere.
-        for (const auto law : {pullSaid, turnsRoundSaid}) {
-            if (const auto fault = law(*this)) {
-                said.push_back(*fault);
-                return;
-            }
+        if (const auto fault = pullSaid(*this)) {
+            said.push_back(*fault);
+            return;
+        }
+        if (const auto fault = turnsRoundSaid(*this)) {
+            said.push_back(strongWaySaid(*this).value_or(*fault));
+            return;
         }
         for (const auto law : {fallSaid, growthSaid}) {
             if (const auto fault = law(*this))
                 said.push_back(*fault);
         }
-        if (said.empty()) {
-            if (const auto fault = ownSceneSaid(*this))
+        for (const auto law : {lossSaid, ownSceneSaid}) {
+            const auto fault = said.empty() ? law(*this) : std::nullopt;
+            if (fault)
                 said.push_back(*fault);
         }
         // How much of the fall reaches the place can be told only where the rest is right.
@@ -98,10 +106,14 @@ private:
         const bool isTurn = brief(f.lateVelocity) != brief(f.turnedInto);
         const bool isWay = !isTurn && brief(f.lateWay) != brief(f.wayMade);
         const QString headline =
-            FlightText::tr("The step of %who depends on how long the run has lasted");
-        const QString where = FlightText::tr("How long a step lasts is the parameter of "
-                                             "`on_update`; `time` is the time since the start, "
-                                             "and `step` counts.");
+            f.isCounted ? FlightText::tr("Not every step of %who is made alike")
+                        : FlightText::tr("The step of %who depends on how long the run has lasted");
+        const QString where =
+            f.isCounted
+                ? FlightText::tr("A step or two later it is as at the start again. Look at what "
+                                 "your program counts, or keeps from one step to the next.")
+                : FlightText::tr("How long a step lasts is the parameter of `on_update`; `time` is "
+                                 "the time since the start, and `step` counts.");
         // Both go on alike and are not where they should be: the place itself hangs on the moment.
         if (!isWay && !isTurn)
             return said(
@@ -130,7 +142,54 @@ private:
         const Flight &f = flight(0);
         if (!f.leap || right().leap)
             return std::nullopt;
-        return leapSaid(*f.leap);
+        const Vec2 gets = f.leap->to - f.leap->from;
+        const Vec2 fall = timestep() * right().acceleration;
+        if (length(gets - fall) > wrong * length(fall) + 1e-9)
+            return leapSaid(*f.leap);
+        const auto next = std::find_if(f.seen.begin(), f.seen.end(), [&](const auto &step) {
+            return length(step.velocity - f.leap->to) < 1e-9;
+        });
+        if (next == f.seen.end())
+            return std::nullopt;
+        return said(
+            FlightText::tr("Only the first step changes the velocity of %who rightly"),
+            FlightText::tr("Thrown with %1 m/s, it has %2 m/s one step of %3 s later, which is "
+                           "right; in the next step that changes by %4 m/s, and gravity gives it "
+                           "%5 m/s. Look at which velocity the line that changes it goes on from, "
+                           "and at what your program keeps from one step to the next.")
+                .arg(brief(f.leap->from), brief(f.leap->to), briefTimestep(timestep()),
+                     briefBeside(next->turn, fall), briefBeside(fall, next->turn)),
+            false);
+    }
+
+    /// Who is thrown goes on rightly, and who is let go at rest does not.
+    [[nodiscard]] std::optional<FlightSaid> letGo() const
+    {
+        const Flight &f = flight(0);
+        const auto isRight = [&](Vec2 from, Vec2 to) {
+            const Motion next = right().after({.position = {}, .velocity = from}, timestep());
+            return isAlike(to, next.velocity);
+        };
+        const Vec2 wanted = timestep() * right().acceleration;
+        if (!right().isKnown || isAlike(f.fromRest.velocity, wanted)
+            || !isRight(f.startedWith, f.turnedInto)
+            || !std::all_of(f.seen.begin(), f.seen.end(), [&](const Flight::Step &step) {
+                   return isRight(step.velocity, step.velocity + step.turn);
+               }))
+            return std::nullopt;
+        FlightSaid fault = said(
+            FlightText::tr("The velocity of %who changes although it touches nothing"),
+            FlightText::tr("Let go at rest, it has %1 m/s one step of %2 s later, far from every "
+                           "wall and every other circle; gravity gives it %3 m/s in a step. Thrown "
+                           "with %4 m/s it goes on as it should.")
+                .arg(brief(f.fromRest.velocity), briefTimestep(timestep()), brief(wanted),
+                     brief(f.startedWith)),
+            false);
+        for (PresetCircle &each : fault.moment.stage.preset.circles)
+            each.body.velocity = {};
+        fault.moment.step = 1;
+        fault.suspect = Suspect::Question;
+        return fault;
     }
 
     [[nodiscard]] FlightSaid leapSaid(const Flight::Leap &leap) const
@@ -243,10 +302,13 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
         if (together && said.isMethod)
             continue;
         said.moment.circles = circles;
-        deviations.push_back({Aspect::Motion,
-                              headline + QStringLiteral("\n\n")
-                                  + withNames(said.body, circles, ground.flights.size()),
-                              said.moment, said.suspect});
+        deviations.push_back({.aspect = Aspect::Motion,
+                              .message = headline + QStringLiteral("\n\n")
+                                         + withNames(said.body, circles, ground.flights.size()),
+                              .moment = said.moment,
+                              .suspect = said.suspect,
+                              .isMethod = said.isMethod,
+                              .hidesHits = said.hidesHits});
     }
     if (together)
         deviations.push_back(*together);

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/flight_comparison.h"
 #include "tasks/judging/likeness.h"
+#include "tasks/judging/measured_wall.h"
 
 namespace cradle {
 
@@ -37,6 +39,34 @@ public:
                 .arg(brief(gravity()), here(f), brief(f.restedAt), there(f),
                      brief(f.restedAt + flights::shift), here(r), there(r)),
             false);
+    }
+
+    /// What e does to it, though it hits nothing.
+    [[nodiscard]] std::optional<FlightSaid> loss() const
+    {
+        std::vector<double> all = m_ground.walls.restitutions;
+        all.insert(all.end(), m_ground.pair.restitutions.begin(), m_ground.pair.restitutions.end());
+        const double e = middleOf(all);
+        const auto seen = e == 1.0 || !flight(0).isKnown
+                              ? std::nullopt
+                              : m_own.withRestitution(gravity(), timestep(), m_i, e);
+        const Flight::Step &usual = flight(0).seen[0];
+        if (!seen || isAlike(seen->velocity + seen->turn, usual.velocity + usual.turn, wrong))
+            return std::nullopt;
+        FlightSaid fault =
+            said(FlightText::tr("e changes the velocity of %who away from any hit"),
+                 FlightText::tr(
+                     "Started with %1 m/s, it has %2 m/s two steps of %3 s later with e = %4, "
+                     "and %5 m/s with e = 1; nothing is near. e belongs to hits alone: look "
+                     "at what is asked before the line that takes it.")
+                     .arg(brief(flight(0).startedWith),
+                          briefBeside(seen->velocity + seen->turn, usual.velocity + usual.turn),
+                          briefTimestep(timestep()), brief(e),
+                          briefBeside(usual.velocity + usual.turn, seen->velocity + seen->turn)),
+                 false);
+        fault.moment.stage.preset.restitution = e;
+        fault.hidesHits = true;
+        return fault;
     }
 
     /// Whether parts of its velocity have the other sign one step later.
@@ -159,6 +189,11 @@ private:
 std::optional<FlightSaid> pullSaid(const FlightComparison &comparison)
 {
     return ForceJudge(comparison).pull();
+}
+
+std::optional<FlightSaid> lossSaid(const FlightComparison &comparison)
+{
+    return ForceJudge(comparison).loss();
 }
 
 std::optional<FlightSaid> turnsRoundSaid(const FlightComparison &comparison)

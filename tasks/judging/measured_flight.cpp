@@ -79,6 +79,18 @@ std::optional<Flight::Step> MeasuredFlight::whileOthersRest(Vec2 gravity, double
                                                                 static_cast<std::size_t>(i));
 }
 
+std::optional<Flight::Step> MeasuredFlight::withRestitution(Vec2 gravity, double h, int i,
+                                                            double restitution) const
+{
+    return measureWithRestitution(m_program, m_ground, gravity, h, static_cast<std::size_t>(i),
+                                  restitution);
+}
+
+std::optional<Flight::Step> MeasuredFlight::slowStart(double slower, double h, int i) const
+{
+    return measureSlowStart(m_program, m_ground, slower, h, static_cast<std::size_t>(i));
+}
+
 bool MeasuredFlight::isLike(const MeasuredFlight &other) const
 {
     for (const Vec2 gravity : m_ground.gravities) {
@@ -90,13 +102,14 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
                 if (!isAlike(a.way, b.way) || !isAlike(a.acceleration, b.acceleration)
                     || !isAlike(a.growth, b.growth) || !isAlike(a.pull, b.pull)
                     || !isAlike(a.drift / (h * h), b.drift / (h * h)) || a.jumps != b.jumps
-                    || a.xFollows != b.xFollows || a.yFollows != b.yFollows || a.resets != b.resets
-                    || a.resetsX != b.resetsX || a.resetsY != b.resetsY
-                    || !isAlike(a.carried, b.carried) || a.leader != b.leader
-                    || a.follows != b.follows || a.borrows != b.borrows || a.onlySlow != b.onlySlow
-                    || a.isTimeless != b.isTimeless || a.leap.has_value() != b.leap.has_value()
-                    || a.isWayLinear != b.isWayLinear || a.isTurnLinear != b.isTurnLinear
-                    || !isAlike(a.turnedInto, b.turnedInto) || !isAlike(a.wayMade, b.wayMade))
+                    || a.isOfStart != b.isOfStart || a.xFollows != b.xFollows
+                    || a.yFollows != b.yFollows || a.resets != b.resets || a.resetsX != b.resetsX
+                    || a.resetsY != b.resetsY || !isAlike(a.carried, b.carried)
+                    || a.leader != b.leader || a.follows != b.follows || a.borrows != b.borrows
+                    || a.onlySlow != b.onlySlow || a.isTimeless != b.isTimeless
+                    || a.leap.has_value() != b.leap.has_value() || a.isWayLinear != b.isWayLinear
+                    || a.isTurnLinear != b.isTurnLinear || !isAlike(a.turnedInto, b.turnedInto)
+                    || !isAlike(a.wayMade, b.wayMade))
                     return false;
             }
         }

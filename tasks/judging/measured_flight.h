@@ -62,6 +62,15 @@ public:
     /// others rest elsewhere; nothing where there are none.
     [[nodiscard]] std::optional<Flight::Step> whileOthersRest(Vec2 gravity, double h, int i) const;
 
+    /// The second step of a circle \p i that starts as in the first flight of at(), with that
+    /// restitution; nothing where the program stops.
+    [[nodiscard]] std::optional<Flight::Step> withRestitution(Vec2 gravity, double h, int i,
+                                                              double restitution) const;
+
+    /// The first step of a circle \p i without gravity that is \p slower times as fast as in the
+    /// first flight of at(), and its velocity at the start; nothing where the program stops.
+    [[nodiscard]] std::optional<Flight::Step> slowStart(double slower, double h, int i) const;
+
     /// Whether another program flies in the same way.
     [[nodiscard]] bool isLike(const MeasuredFlight &other) const;
 

@@ -22,7 +22,8 @@ struct WallHit {
     double travel = 0.0;    ///< way of a step towards the wall
     double back = 0.0;      ///< normal part after / before, turned round: 1 is elastic
     double along = 1.0;     ///< part along the wall after / before
-    Vec2 came{};            ///< velocity that it came with, m/s
+    Vec2 was{};             ///< velocity before that step, m/s
+    Vec2 came{};            ///< and that it came with
     Vec2 left{};            ///< and left with
     int again = 0;          ///< how often it was turned towards the wall while it left it
     bool turnsBoth = false; ///< a few steps later both parts point back

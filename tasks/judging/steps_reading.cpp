@@ -35,6 +35,8 @@ public:
         Flight flight;
         flight.startedWith = m_first.start[m_i].velocity;
         flight.turnedInto = m_first.before[m_i].velocity;
+        flight.firstWay = m_first.before[m_i].position - m_first.start[m_i].position;
+        flight.isOfStart = isOfStart(m_first) && isOfStart(m_second);
         flight.wayMade = way(m_first);
         flight.restedAt = m_rest.before[m_i].position;
         flight.acceleration = turn(m_rest) / m_h;
@@ -67,8 +69,9 @@ public:
         flight.isTurnLinear = isClose(next.velocity, m_second.after[m_i].velocity);
         flight.isKnown = !flight.resets && !flight.resetsX && !flight.resetsY && !flight.jumps
                          && std::abs(flight.carried - 1.0) < 1e-6 && flight.pull == Vec2{}
-                         && !isOfNothing(flight.xFollows) && !isOfNothing(flight.yFollows)
-                         && flight.isWayLinear && flight.isTurnLinear;
+                         && !flight.isOfStart && !isOfNothing(flight.xFollows)
+                         && !isOfNothing(flight.yFollows) && flight.isWayLinear
+                         && flight.isTurnLinear;
         flight.seen = {seen(m_first), seen(m_second)};
         flight.fromRest = seen(m_rest);
         flight.crossing = crossing();
@@ -96,6 +99,19 @@ private:
             flight.way.x = flight.growth.x = 0.0;
         if (flight.resetsY)
             flight.way.y = flight.growth.y = 0.0;
+    }
+
+    /// Whether both steps take it from its start by the way of one, whichever method that is.
+    [[nodiscard]] bool isOfStart(const Steps &s) const
+    {
+        const auto isOneWay = [&](const Circle &after, Vec2 from, Vec2 to) {
+            const Vec2 moved = after.position - s.start[m_i].position;
+            return length(moved) > 1e-6
+                   && (isClose(moved, m_h * from) || isClose(moved, m_h * to)
+                       || isClose(moved, 0.5 * m_h * (from + to)));
+        };
+        return isOneWay(s.before[m_i], s.start[m_i].velocity, s.before[m_i].velocity)
+               && isOneWay(s.after[m_i], s.before[m_i].velocity, s.after[m_i].velocity);
     }
 
     /// Of what two starts are apart, the share that is left one step later; 1 where it is not the

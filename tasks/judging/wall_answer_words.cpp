@@ -67,7 +67,7 @@ private:
             // It may have come to another place, and have been hit there.
             if ((hit.isLeap() && !right.isLeap()) || (hit.kicks && !right.kicks))
                 continue;
-            if (hit.isLost)
+            if (hit.isLost || isRightFall(hit))
                 continue;
             if (hit.held && right.turned && !isTurnedElse(hit))
                 odd.push_back(i);

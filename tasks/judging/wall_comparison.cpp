@@ -33,6 +33,18 @@ std::set<Wall> WallComparison::allOfThem() const
     return walls;
 }
 
+bool WallComparison::isRightFall(const WallHit &hit) const
+{
+    const Vec2 fall = hit.stage.preset.timestep * hit.stage.preset.gravity;
+    const double e = rebounds() ? hit.restitution : 1.0;
+    const Vec2 n = outwardNormal(hit.wall);
+    const auto turned = [&](Vec2 v) { return v - (1.0 + e) * dot(v, n) * n; };
+    const double slack = 1e-6 * (1.0 + length(hit.was));
+    return hit.turned && fall != Vec2{}
+           && (length(hit.left - turned(hit.was + fall)) < slack
+               || length(hit.left - turned(hit.was) - fall) < slack);
+}
+
 QString WallComparison::withE(const WallHit &hit) const
 {
     return rebounds() ? WallText::tr("Here e is %1. ").arg(brief(hit.restitution)) : QString();

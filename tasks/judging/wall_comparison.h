@@ -65,6 +65,10 @@ protected:
     /// e is a word of the steps that ask for it.
     [[nodiscard]] bool rebounds() const { return m_ground.walls.restitutions.size() > 1; }
 
+    /// Whether it was turned as it should be by who falls as asked in that step, before it or
+    /// after: then only the steps without a hit are wrong.
+    [[nodiscard]] bool isRightFall(const WallHit &hit) const;
+
     /// "Here e is 0.5. ", where e is a word of the step.
     [[nodiscard]] QString withE(const WallHit &hit) const;
 

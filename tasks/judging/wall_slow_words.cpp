@@ -39,8 +39,8 @@ public:
         const auto open = slowHits([](const WallHit &hit, const WallHit &) { return !hit.turned; });
         if (!open.empty())
             return openAt(open);
-        const auto odd = slowHits([](const WallHit &hit, const WallHit &right) {
-            return hit.turned && std::abs(hit.back - right.back) > slowBlur;
+        const auto odd = slowHits([&](const WallHit &hit, const WallHit &right) {
+            return hit.turned && !isRightFall(hit) && std::abs(hit.back - right.back) > slowBlur;
         });
         return odd.empty() ? std::nullopt : std::optional(oddAt(odd));
     }

@@ -90,6 +90,7 @@ void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circ
     hit.before = distanceFrom(hit.wall, preset.halfWidth, c.position);
     hit.reached = distanceFrom(hit.wall, preset.halfWidth, free.position);
     hit.travel = hit.before - hit.reached;
+    hit.was = c.velocity;
     hit.came = free.velocity;
     hit.left = now.velocity;
     hit.back = -dot(n, now.velocity) / dot(n, free.velocity);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/brief_beside.h"
 #include "tasks/judging/flight_comparison.h"
+#include "tasks/judging/likeness.h"
 
 namespace cradle {
 
@@ -37,45 +38,98 @@ public:
         const Flight &f = flight(at);
         const bool isX = x.kind == Kind::Constant && x.value == 0.0;
         const bool isY = y.kind == Kind::Constant && y.value == 0.0;
-        const auto seen = FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
-                                         "a step; v Δt is %4 m.")
-                              .arg(brief(f.turnedInto), briefTimestep(h), brief(f.wayMade),
-                                   brief(h * f.turnedInto));
+        const QString went = seen(f.turnedInto, h, f.wayMade);
         // A part that nobody asks for may stay; what is wrong with the other is said first.
         const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
         if (isX != isY && isRight(other))
             return said(isX ? FlightText::tr("The x of %who does not change")
                             : FlightText::tr("The y of %who does not change"),
-                        seen
+                        went
                             + FlightText::tr(" Both parts of the position must change, each by "
                                              "its own part of the velocity."),
                         true);
         // What is wrong with one part is not said of the other.
         const bool isOne = isRight(x) || isRight(y) || isX != isY
                            || (x.kind == y.kind && std::abs(x.value - y.value) < wrong);
+        if (x.kind == Kind::Other || y.kind == Kind::Other) {
+            const auto rightAt = rightTimestep();
+            if (rightAt)
+                return said(
+                    FlightText::tr("With some timesteps the way of %who is not v Δt"),
+                    went + QLatin1Char(' ')
+                        + FlightText::tr("With Δt = %1 s it goes v Δt. Look at which Δt the line "
+                                         "that changes the position takes.")
+                              .arg(briefTimestep(*rightAt)),
+                    true);
+        }
         auto [headline, where] =
             wayWords(isOne ? other : TimestepPattern{Kind::Other, 0.0}, length(f.wayMade) > 1e-9);
         if (isRight(x) != isRight(y) || isX != isY)
             headline +=
                 &other == &y ? FlightText::tr(" (only in y)") : FlightText::tr(" (only in x)");
-        FlightSaid fault = said(headline, seen + QLatin1Char(' ') + where, true);
+        FlightSaid fault = said(headline, went + QLatin1Char(' ') + where, true);
         if (other.kind == Kind::Constant && other.value == 0.0)
             fault.suspect = Suspect::Omission;
         return fault;
     }
 
+    /// A way so far that walls turn it round in every step: of one that is slower.
+    [[nodiscard]] std::optional<FlightSaid> strongWay() const
+    {
+        std::vector<std::pair<double, double>> factors;
+        for (const double h : m_ground.timesteps) {
+            const auto step = m_own.slowStart(weak, h, m_i);
+            if (!step || length(step->way) < far * h * length(step->velocity)
+                || std::abs(cross(step->way, step->velocity))
+                       > wrong * length(step->way) * length(step->velocity))
+                return std::nullopt;
+            factors.emplace_back(h, dot(step->way, step->velocity)
+                                        / (h * lengthSquared(step->velocity)));
+        }
+        const auto [headline, where] = wayWords(patternOf(factors), true);
+        const auto step = m_own.slowStart(weak, timestep(), m_i);
+        return said(headline,
+                    seen(step->velocity, timestep(), step->way) + QLatin1Char(' ') + where, true);
+    }
+
 private:
+    /// What takes it so many times as far as v Δt takes it to a wall.
+    static constexpr double far = 20.0;
+
+    [[nodiscard]] static QString seen(Vec2 velocity, double h, Vec2 way)
+    {
+        return FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt "
+                              "is %4 m.")
+            .arg(brief(velocity), briefTimestep(h), briefBeside(way, h * velocity),
+                 briefBeside(h * velocity, way));
+    }
+
+    /// One with which both parts of the way are right.
+    [[nodiscard]] std::optional<double> rightTimestep() const
+    {
+        const auto &all = m_ground.timesteps;
+        const auto at = std::find_if(all.begin(), all.end(), [&](double h) {
+            const Flight &own = m_own.at(gravity(), h, m_i);
+            return isAlike(own.way, m_right.at(gravity(), h, m_i).way, wrong);
+        });
+        return at == all.end() ? std::nullopt : std::optional(*at);
+    }
+
     /// A way that is no share of the own velocity.
     [[nodiscard]] FlightSaid oddWay() const
     {
-        const auto &[a, b] = flight(0).seen;
+        const Flight::Step &a = flight(0).seen[0];
+        const Flight::Step &b = flight(0).seen[1];
         const double h = timestep();
+        const auto two = [&](const QString &text, Vec2 one, Vec2 other) {
+            return text.arg(brief(a.velocity), briefTimestep(h), briefBeside(a.way, one),
+                            brief(b.velocity), briefBeside(b.way, other), briefBeside(one, a.way),
+                            briefBeside(other, b.way));
+        };
         const QString seen =
-            FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with "
-                           "%4 m/s %5 m; v Δt is %6 and %7 m.")
-                .arg(brief(a.velocity), briefTimestep(h), briefBeside(a.way, h * a.velocity),
-                     brief(b.velocity), briefBeside(b.way, h * b.velocity),
-                     briefBeside(h * a.velocity, a.way), briefBeside(h * b.velocity, b.way));
+            two(FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, "
+                               "with %4 m/s %5 m; v Δt is %6 and %7 m."),
+                h * a.velocity, h * b.velocity);
         const auto tell = [&](const QString &headline, const QString &why) {
             return said(headline, seen + QLatin1Char(' ') + why, true);
         };
@@ -94,9 +148,27 @@ private:
         }
         if (const auto fault = methodByVelocity())
             return *fault;
-        return tell(FlightText::tr("The way of %who in a step is not v Δt"),
-                    FlightText::tr("Look at what the line that changes the position takes, and at "
-                                   "what is asked before it."));
+        const QString look = FlightText::tr("Look at what the line that changes the position "
+                                            "takes, and at what is asked before it.");
+        if (length(right().drift) < 1e-9 || shares().size() != 1)
+            return tell(FlightText::tr("The way of %who in a step is not v Δt"), look);
+        // Where a method is asked for, that is right, and not v Δt.
+        const auto wanted = [&](const Flight::Step &step) {
+            return right().after({.position = {}, .velocity = step.velocity}, h).position;
+        };
+        const Flight::Step &rest = flight(0).fromRest;
+        QString told = two(FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
+                                          "a step, with %4 m/s %5 m; %6 and %7 m are right."),
+                           wanted(a), wanted(b));
+        if (isAlike(rest.way, wanted(rest)))
+            told += QLatin1Char(' ') + FlightText::tr("Let go at rest, it goes as it should.");
+        return said(FlightText::tr("The way of %who in a step is wrong"),
+                    told + QLatin1Char(' ') + look, true);
+    }
+
+    [[nodiscard]] const std::vector<double> &shares() const
+    {
+        return m_ground.flights[static_cast<std::size_t>(m_i)].shares;
     }
 
     /// Each of the steps seen is one of a method, and they are not of the same.
@@ -142,6 +214,10 @@ private:
             return {FlightText::tr("The way of %who is multiplied by the timestep twice"),
                     FlightText::tr("Count how often the timestep stands in the line that moves "
                                    "it.")};
+        case Kind::Divided:
+            return {FlightText::tr("The way of %who is divided by the timestep"),
+                    FlightText::tr("A velocity times a time is a length. Look at what stands "
+                                   "before the timestep in the line that moves it.")};
         case Kind::Fixed:
             return {FlightText::tr("A fixed number stands for the timestep in the way of %who"),
                     FlightText::tr(
@@ -178,6 +254,11 @@ private:
 std::optional<FlightSaid> waySaid(const FlightComparison &comparison)
 {
     return WayJudge(comparison).way();
+}
+
+std::optional<FlightSaid> strongWaySaid(const FlightComparison &comparison)
+{
+    return WayJudge(comparison).strongWay();
 }
 
 } // namespace cradle
