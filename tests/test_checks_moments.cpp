@@ -182,7 +182,7 @@ void TestChecksMoments::wrongTimeIsRefused_data()
     QTest::addColumn<double>("distance"); ///< at which the program answers, in r₁ + r₂
     QTest::addColumn<QString>("word");
     QTest::newRow("early") << 1.5 << QStringLiteral("from whose rim it was still");
-    QTest::newRow("late") << 0.5 << QStringLiteral("answered only at step");
+    QTest::newRow("late") << 0.5 << QStringLiteral("answered only in step");
     QTest::newRow("never") << 0.0 << QStringLiteral("as if nothing had happened");
 }
 

@@ -39,6 +39,15 @@ Crowd crowdOf(std::vector<Circle> circles, double restitution = 1.0, double grav
     return crowd;
 }
 
+/// Who was due and does not meet.
+std::vector<Crowd::Pair> grouped(Crowd &crowd, std::span<const Crowd::Pair> resting,
+                                 std::span<const Crowd::Pair> due, StepGroups &groups)
+{
+    std::vector<Crowd::Pair> inVain;
+    findGroups(crowd, dt, resting, due, groups, inVain);
+    return inVain;
+}
+
 /// Two that come towards each other along x at \p speed (m/s) each, their centres 2 m apart.
 std::vector<Circle> headOn(double speed)
 {
@@ -107,14 +116,14 @@ void TestCrowdPhases::whoMeetsIsGroupedAndWhoDoesNotIsToldOf()
     StepGroups groups;
     groups.start(3);
     const std::vector<Crowd::Pair> due{{0, 1}, {0, 2}};
-    const std::vector<Crowd::Pair> inVain = findGroups(crowd, dt, {}, due, groups);
+    const std::vector<Crowd::Pair> inVain = grouped(crowd, {}, due, groups);
     QCOMPARE(groups.size(), 2U);
     QCOMPARE(groups.groupOf(groups.of(0)), groups.groupOf(groups.of(1)));
     QVERIFY(!groups.has(2));
     QCOMPARE(inVain.size(), std::size_t{1});
     QCOMPARE(inVain[0].b, 2U);
     // What was in touch stays a group without being due.
-    QVERIFY(findGroups(crowd, dt, std::vector<Crowd::Pair>{{1, 2}}, {}, groups).empty());
+    QVERIFY(grouped(crowd, std::vector<Crowd::Pair>{{1, 2}}, {}, groups).empty());
     QVERIFY(!groups.has(0));
     QCOMPARE(groups.groupOf(groups.of(1)), groups.groupOf(groups.of(2)));
 }
@@ -130,13 +139,13 @@ void TestCrowdPhases::whoSleepsTogetherWakesTogether()
     constexpr int untilSleep = 5; // steps, 0.5 s
     for (int step = 1; step <= untilSleep; ++step) {
         QVERIFY(!crowd.sleeps(0) && !crowd.sleeps(1));
-        QVERIFY(findGroups(crowd, dt, resting, {}, groups).empty());
+        QVERIFY(grouped(crowd, resting, {}, groups).empty());
         for (const std::uint32_t member : {0U, 1U})
             groups[member].after = crowd.motions[groups[member].slot];
         layToSleep(crowd, dt, groups);
     }
     QVERIFY(crowd.sleeps(0) && crowd.sleeps(1));
-    QVERIFY(findGroups(crowd, dt, {}, std::vector<Crowd::Pair>{{0, 2}}, groups).empty());
+    QVERIFY(grouped(crowd, {}, std::vector<Crowd::Pair>{{0, 2}}, groups).empty());
     QVERIFY(!crowd.sleeps(0) && !crowd.sleeps(1));
     QCOMPARE(groups.size(), 3U);
     QCOMPARE(groups.groupOf(groups.of(1)), groups.groupOf(groups.of(2)));

@@ -34,11 +34,11 @@ void BroadPhase::sort(double dt, Crowd &crowd, std::span<Crowd::Pair> pairs)
     const std::span<const Crowd::Slot> sorted = m_grid.sorted().first(crowd.small);
     crowd.arrange(sorted);
     if (!pairs.empty()) {
-        std::vector<Crowd::Slot> moved(crowd.count());
+        m_moved.resize(crowd.count());
         for (Crowd::Slot slot = 0; slot < crowd.count(); ++slot)
-            moved[slot < crowd.small ? sorted[slot] : slot] = slot;
+            m_moved[slot < crowd.small ? sorted[slot] : slot] = slot;
         for (Crowd::Pair &pair : pairs)
-            pair = {moved[pair.a], moved[pair.b]};
+            pair = {m_moved[pair.a], m_moved[pair.b]};
     }
     double fastest = 0.0;
     for (const Motion &motion : crowd.motions)

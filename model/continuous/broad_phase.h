@@ -41,6 +41,7 @@ private:
     double m_dt = 0.0;
     std::size_t m_index = 0;
     double m_meanSpeed = 0.0;
+    std::vector<Crowd::Slot> m_moved; ///< working memory of sort(): the new slot of each
 };
 
 } // namespace cradle

@@ -72,8 +72,7 @@ void ContinuousSolver::advance(const TimeStep &step, std::vector<Hit> &hits)
         m_schedule.fill(m_crowd, m_near);
     }
     // Groups: who meets in this step, as far as free flight tells.
-    const std::vector<Crowd::Pair> inVain =
-        findGroups(m_crowd, step.dt, m_resting, m_schedule.due(m_near.index()), m_groups);
+    findGroups(m_crowd, step.dt, m_resting, m_schedule.due(m_near.index()), m_groups, m_inVain);
     // Hits and piles: each group from the start of the step, with whom it thereby comes to meet.
     m_solver.run(m_crowd, m_near, step, m_groups, hits, m_resting);
     // Free flight, where nothing is met.
@@ -92,7 +91,7 @@ void ContinuousSolver::advance(const TimeStep &step, std::vector<Hit> &hits)
         if (!m_near.isOver())
             m_schedule.addAround(m_crowd, m_near, member.slot);
     }
-    for (const Crowd::Pair &pair : inVain) {
+    for (const Crowd::Pair &pair : m_inVain) {
         if (!m_near.isOver())
             m_schedule.addAgain(m_crowd, m_near, pair);
     }

@@ -47,6 +47,7 @@ private:
     StepGroups m_groups; ///< of the latest step
     GroupSolver m_solver;
     std::vector<Crowd::Pair> m_resting; ///< stay in touch from step to step
+    std::vector<Crowd::Pair> m_inVain;  ///< were due in the latest step and did not meet
 };
 
 } // namespace cradle

@@ -35,11 +35,12 @@ double extentOf(std::span<const Circle> circles)
 }
 
 /// Puts those that \p sorted has into its order; the others stay.
+/// \param arranged  working memory
 template <class Value>
-void arrangeBy(std::span<const Crowd::Slot> sorted, std::vector<Value> &values)
+void arrangeBy(std::span<const Crowd::Slot> sorted, std::vector<Value> &values,
+               std::vector<Value> &arranged)
 {
-    std::vector<Value> arranged;
-    arranged.reserve(values.size());
+    arranged.clear();
     for (const Crowd::Slot slot : sorted)
         arranged.push_back(values[slot]);
     arranged.insert(arranged.end(), values.begin() + std::ssize(arranged), values.end());
@@ -87,9 +88,9 @@ void Crowd::read(std::span<Circle> circles) const
 
 void Crowd::arrange(std::span<const Slot> sorted)
 {
-    arrangeBy(sorted, motions);
-    arrangeBy(sorted, radii);
-    arrangeBy(sorted, ids);
+    arrangeBy(sorted, motions, m_motions);
+    arrangeBy(sorted, radii, m_radii);
+    arrangeBy(sorted, ids, m_ids);
     for (Slot slot = 0; slot < count() && sleep.count() > 0; ++slot)
         slotOf[ids[slot]] = slot;
 }

@@ -79,6 +79,12 @@ struct Crowd {
     std::vector<double> densities;
     SleepingIslands sleep;
     std::vector<Slot> slotOf; ///< of those that sleep
+
+private:
+    // Working memory of arrange().
+    std::vector<Motion> m_motions;
+    std::vector<double> m_radii;
+    std::vector<std::uint32_t> m_ids;
 };
 
 } // namespace cradle

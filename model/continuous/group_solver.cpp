@@ -140,12 +140,11 @@ bool GroupSolver::solvePair(std::span<const Place> group, const Crowd &crowd,
 void GroupSolver::tellHits(StepGroups &groups, std::vector<Hit> &hits)
 {
     std::erase_if(m_hits, [&](const Found<Hit> &hit) { return !hit.counts(groups); });
-    std::vector<std::pair<double, std::uint32_t>> sequence;
-    sequence.reserve(m_hits.size());
+    m_sequence.clear();
     for (std::uint32_t i = 0; i < m_hits.size(); ++i)
-        sequence.emplace_back(m_hits[i].what.time, i);
-    std::sort(sequence.begin(), sequence.end());
-    for (const auto &[time, i] : sequence)
+        m_sequence.emplace_back(m_hits[i].what.time, i);
+    std::sort(m_sequence.begin(), m_sequence.end());
+    for (const auto &[time, i] : m_sequence)
         hits.push_back(m_hits[i].what);
 }
 

@@ -67,6 +67,8 @@ private:
     World m_world;   ///< its circles
     std::vector<std::uint32_t> m_ids;
     std::vector<Hit> m_found; ///< its hits
+    std::vector<std::pair<double, std::uint32_t>>
+        m_sequence; ///< time and index of those that count
 };
 
 } // namespace cradle

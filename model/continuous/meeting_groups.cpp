@@ -58,12 +58,12 @@ double fastestOf(Crowd::Slot slot, const Crowd &crowd, const StepGroups &groups)
 
 } // namespace
 
-std::vector<Crowd::Pair> findGroups(Crowd &crowd, double dt, std::span<const Crowd::Pair> resting,
-                                    std::span<const Crowd::Pair> due, StepGroups &groups)
+void findGroups(Crowd &crowd, double dt, std::span<const Crowd::Pair> resting,
+                std::span<const Crowd::Pair> due, StepGroups &groups,
+                std::vector<Crowd::Pair> &inVain)
 {
     groups.clear();
-    std::vector<Crowd::Pair> inVain;
-    inVain.reserve(due.size());
+    inVain.clear();
     for (const Crowd::Pair &pair : resting)
         join(pair.a, pair.b, crowd, groups);
     for (const Crowd::Pair &pair : due) {
@@ -76,7 +76,6 @@ std::vector<Crowd::Pair> findGroups(Crowd &crowd, double dt, std::span<const Cro
         else
             join(pair.a, pair.b, crowd, groups);
     }
-    return inVain;
 }
 
 void foreseePiles(Crowd &crowd, const BroadPhase &near, StepGroups &groups)

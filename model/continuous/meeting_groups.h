@@ -11,11 +11,10 @@ namespace cradle {
 /// \param resting  were in touch at the end of the step before
 /// \param due  may first meet in this step
 /// \param groups  overwritten
-/// \return of those due, who does not meet after all
-[[nodiscard]] std::vector<Crowd::Pair> findGroups(Crowd &crowd, double dt,
-                                                  std::span<const Crowd::Pair> resting,
-                                                  std::span<const Crowd::Pair> due,
-                                                  StepGroups &groups);
+/// \param inVain  overwritten: of those due, who does not meet after all
+void findGroups(Crowd &crowd, double dt, std::span<const Crowd::Pair> resting,
+                std::span<const Crowd::Pair> due, StepGroups &groups,
+                std::vector<Crowd::Pair> &inVain);
 
 /// Lets all that can reach a pile in the step join it: a pile costs too much to be solved again for
 /// each of them.

@@ -73,7 +73,7 @@ private:
                     .arg(brief(g), brief(m_own.at(g, timestep(), m_i).drift),
                          briefTimestep(timestep())),
                 moment(true, g)};
-        if (const auto fault = heavierSaid(*this, g))
+        if (auto fault = heavierSaid(*this, g))
             return fault;
         const auto [headline, where] = fallWords(p, g, pull);
         FlightSaid fault{

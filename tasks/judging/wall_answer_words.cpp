@@ -69,11 +69,11 @@ private:
                 continue;
             if (hit.isLost || isRightFall(hit))
                 continue;
-            if (hit.held && right.turned && !isTurnedElse(hit))
-                odd.push_back(i);
-            else if (hit.turned && right.turned
-                     && (!isNear(hit.back, right.back, blur())
-                         || !isNear(hit.along, right.along, blur())))
+            const bool isOnlyHeld = hit.held && right.turned && !isTurnedElse(hit);
+            const bool isTurnedOtherwise = hit.turned && right.turned
+                                           && (!isNear(hit.back, right.back, blur())
+                                               || !isNear(hit.along, right.along, blur()));
+            if (isOnlyHeld || isTurnedOtherwise)
                 odd.push_back(i);
         }
         return odd;
