@@ -251,7 +251,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
         edit(f.walls, "y > room", "false");
     });
     row("L42T3", "gravity of the Moon",
-        "Gravity on circle 1 is 0.167 times as strong as it should be",
+        "The velocity of circle 1 gets 0.167 times what gravity gives",
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
     row("L42T3", "heavy ones fall faster",
         "Gravity does not act alike on light and heavy ones (circle 1)",

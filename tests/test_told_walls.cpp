@@ -135,7 +135,7 @@ void TestToldWalls::shareOfAWallIsTold()
     QCOMPARE(n, std::vector<double>{0.75});
     n = numbersIn(
         body("1.7 / math.abs(v)", "Hits at the walls give both circles a speed of their own"),
-        "From every speed tried it leaves with # m/s");
+        "From every speed tried it has # m/s along the normal afterwards");
     QCOMPARE(n, std::vector<double>{1.7});
 }
 

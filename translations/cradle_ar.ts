@@ -2155,10 +2155,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا تنال سرعة %who إلا نصف الجاذبية</translation>
     </message>
     <message>
-        <source>Gravity on %who is %1 times as strong as it should be</source>
-        <translation>الجاذبية على %who تساوي ما يجب مضروبًا في ⁨%1⁩</translation>
-    </message>
-    <message>
         <source>Look at the factors in the line that changes the velocity.</source>
         <translation>انظر إلى العوامل في السطر الذي يغيّر السرعة.</translation>
     </message>
@@ -4081,10 +4077,6 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
         <translation>مع كل e جُرّبت يرجع ⁨%1⁩ من السرعة.</translation>
     </message>
     <message>
-        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>من كل سرعة جُرّبت تغادر بسرعة ⁦%1 m/s⁩: احسب السرعة الجديدة من القديمة.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls leave %who moving outward</source>
         <translation>بعد التصادمات عند %walls تظل الحركة نحو الخارج (%who)</translation>
     </message>
@@ -4513,6 +4505,18 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>A velocity times a time is a length. Look at what stands before the timestep in the line that moves it.</source>
         <translation>السرعة مضروبةً في الزمن طول. انظر ماذا يسبق الخطوة الزمنية في السطر الذي يحرّك الدائرة.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who gets %1 times what gravity gives</source>
+        <translation>سرعة %who تأخذ ⁨%1⁩ مرة مما تعطيه الجاذبية</translation>
+    </message>
+    <message>
+        <source>From every speed tried it has %1 m/s along the normal afterwards: work the new velocity out from the old one.</source>
+        <translation>من كل سرعة جُرّبت تكون لها بعد ذلك ⁦%1 m/s⁩ على العمودي: احسب السرعة الجديدة من القديمة.</translation>
+    </message>
+    <message>
+        <source>Here it still points into the wall.</source>
+        <translation>وهي هنا ما زالت تتجه إلى داخل الجدار.</translation>
     </message>
 </context>
 <context>

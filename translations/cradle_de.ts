@@ -2195,10 +2195,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Suche einen Faktor ½ oder eine zweite Hälfte, die fehlt.</translation>
     </message>
     <message>
-        <source>Gravity on %who is %1 times as strong as it should be</source>
-        <translation>Die Schwerkraft wirkt auf %who %1-mal so stark, wie sie soll</translation>
-    </message>
-    <message>
         <source>Look at the factors in the line that changes the velocity.</source>
         <translation>Sieh dir die Faktoren in der Zeile an, die die Geschwindigkeit ändert.</translation>
     </message>
@@ -4037,10 +4033,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Mit jedem versuchten e kommen %1 des Tempos zurück.</translation>
     </message>
     <message>
-        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>Aus jedem versuchten Tempo geht er mit %1 m/s weg: Berechne die neue Geschwindigkeit aus der alten.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls leave %who moving outward</source>
         <translation>Nach Stößen an %walls geht es weiter hinaus (%who)</translation>
     </message>
@@ -4461,6 +4453,18 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>A velocity times a time is a length. Look at what stands before the timestep in the line that moves it.</source>
         <translation>Eine Geschwindigkeit mal eine Zeit ist eine Länge. Sieh nach, was in der Zeile, die den Kreis bewegt, vor dem Zeitschritt steht.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who gets %1 times what gravity gives</source>
+        <translation>Für %who bekommt die Geschwindigkeit das %1-Fache der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>From every speed tried it has %1 m/s along the normal afterwards: work the new velocity out from the old one.</source>
+        <translation>Nach jeder versuchten Geschwindigkeit hat er danach %1 m/s längs der Normalen: Rechne die neue Geschwindigkeit aus der alten aus.</translation>
+    </message>
+    <message>
+        <source>Here it still points into the wall.</source>
+        <translation>Hier zeigt sie noch in die Wand.</translation>
     </message>
 </context>
 <context>

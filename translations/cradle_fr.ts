@@ -2131,10 +2131,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La vitesse ne reçoit que la moitié de la pesanteur, pour %who</translation>
     </message>
     <message>
-        <source>Gravity on %who is %1 times as strong as it should be</source>
-        <translation>Sur %who, la pesanteur vaut %1 fois ce qu&apos;il faudrait</translation>
-    </message>
-    <message>
         <source>Look at the factors in the line that changes the velocity.</source>
         <translation>Regardez les facteurs de la ligne qui change la vitesse.</translation>
     </message>
@@ -4037,10 +4033,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
         <translation>Avec chaque e essayé, %1 de la vitesse revient.</translation>
     </message>
     <message>
-        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
-        <translation>De chaque vitesse essayée, il repart à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls leave %who moving outward</source>
         <translation>Après les chocs contre %walls, on va encore vers l&apos;extérieur (%who)</translation>
     </message>
@@ -4461,6 +4453,18 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>A velocity times a time is a length. Look at what stands before the timestep in the line that moves it.</source>
         <translation>Une vitesse fois un temps est une longueur. Regardez ce qui précède le pas de temps dans la ligne du déplacement.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who gets %1 times what gravity gives</source>
+        <translation>La vitesse reçoit %1 fois ce que donne la pesanteur, pour %who</translation>
+    </message>
+    <message>
+        <source>From every speed tried it has %1 m/s along the normal afterwards: work the new velocity out from the old one.</source>
+        <translation>Quelle que soit la vitesse essayée, il a ensuite %1 m/s le long de la normale&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
+    </message>
+    <message>
+        <source>Here it still points into the wall.</source>
+        <translation>Ici, elle pointe encore vers la paroi.</translation>
     </message>
 </context>
 <context>

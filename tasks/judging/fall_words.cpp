@@ -204,8 +204,8 @@ private:
         if (std::abs(p.value - 0.5) < wrong)
             return {FlightText::tr("The velocity of %who gets only half of gravity"),
                     FlightText::tr("Look for a factor ½, or for a second half that is missing.")};
-        return {FlightText::tr("Gravity on %who is %1 times as strong as it should be")
-                    .arg(brief(p.value)),
+        return {FlightText::tr("The velocity of %who gets %1 times what gravity gives")
+                    .arg(briefBeside(p.value, 1.0)),
                 FlightText::tr("Look at the factors in the line that changes the velocity.")};
     }
 };

@@ -285,9 +285,13 @@ private:
                     lookAtNew()};
         if (const auto speed = ownSpeed(odd))
             return {WallText::tr("Hits at the %walls give %who a speed of their own"),
-                    WallText::tr("From every speed tried it leaves with %1 m/s: work the new "
-                                 "velocity out from the old one.")
-                        .arg(brief(*speed))};
+                    WallText::tr("From every speed tried it has %1 m/s along the normal "
+                                 "afterwards: work the new velocity out from the old one.")
+                            .arg(brief(*speed))
+                        + (hit.back < 0.0 ? QLatin1Char(' ')
+                                                + WallText::tr("Here it still points into the "
+                                                               "wall.")
+                                          : QString())};
         if (hit.back < 0.0)
             return {WallText::tr("Hits at the %walls leave %who moving outward"),
                     WallText::tr("Its velocity still points into the wall: look at what it is "

@@ -244,7 +244,8 @@ private:
             return {FlightText::tr("Every step moves %who twice as far"),
                     FlightText::tr("Count the lines that change the position in a step without a "
                                    "hit, and look at their factors.")};
-        return {FlightText::tr("The way of %who in a step is %1 times v Δt").arg(brief(p.value)),
+        return {FlightText::tr("The way of %who in a step is %1 times v Δt")
+                    .arg(briefBeside(p.value, 1.0)),
                 FlightText::tr("Look at the factors in the line that moves it.")};
     }
 };
