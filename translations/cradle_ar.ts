@@ -3738,10 +3738,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>من كل بداية جُرّبت تصبح الدائرتان متقاربتين بعد خطوة واحدة. كل دائرة تمضي من موضعها هي: انظر إلى الأسماء في السطر الذي يحرّكها.</translation>
     </message>
     <message>
-        <source>From every start tried it is at the same place after the same two steps. A step *adds* a way to the old position.</source>
-        <translation>من كل بداية جُرّبت يكون الموضع نفسه بعد الخطوتين نفسيهما. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
-    </message>
-    <message>
         <source>Look at what your program asks there, and at what it keeps from one step to the next.</source>
         <translation>انظر ما الذي يسأل عنه برنامجك هناك، وما الذي يحتفظ به من خطوة إلى أخرى.</translation>
     </message>
@@ -4517,6 +4513,10 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>Here it still points into the wall.</source>
         <translation>وهي هنا ما زالت تتجه إلى داخل الجدار.</translation>
+    </message>
+    <message>
+        <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
+        <translation>من بدايتين ساكنتين في موضعين تكون الدائرة بعد خطوتين في موضع واحد بعينه. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
     </message>
 </context>
 <context>

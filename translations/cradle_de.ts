@@ -3714,10 +3714,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Nach jedem versuchten Start sind die beiden einen Schritt später nahe beieinander. Jeder Kreis geht von seinem eigenen Ort weiter: Sieh dir die Namen in der Zeile an, die ihn bewegt.</translation>
     </message>
     <message>
-        <source>From every start tried it is at the same place after the same two steps. A step *adds* a way to the old position.</source>
-        <translation>Nach jedem versuchten Start ist der Kreis nach denselben zwei Schritten am selben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
-    </message>
-    <message>
         <source>Look at what your program asks there, and at what it keeps from one step to the next.</source>
         <translation>Sieh dir an, was dein Programm dort fragt und was es von einem Schritt zum nächsten behält.</translation>
     </message>
@@ -4465,6 +4461,10 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>Here it still points into the wall.</source>
         <translation>Hier zeigt sie noch in die Wand.</translation>
+    </message>
+    <message>
+        <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
+        <translation>An zwei Orten in Ruhe gestartet, ist der Kreis zwei Schritte später an ein und demselben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
     </message>
 </context>
 <context>

@@ -3714,10 +3714,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Depuis chaque départ essayé, les deux sont un pas plus tard l&apos;un près de l&apos;autre. Chaque cercle continue depuis sa propre position&#xa0;: regardez les noms dans la ligne qui le déplace.</translation>
     </message>
     <message>
-        <source>From every start tried it is at the same place after the same two steps. A step *adds* a way to the old position.</source>
-        <translation>Depuis chaque départ essayé, la position est la même après les deux mêmes pas. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
-    </message>
-    <message>
         <source>Look at what your program asks there, and at what it keeps from one step to the next.</source>
         <translation>Regardez ce que votre programme demande à cet endroit, et ce qu&apos;il garde d&apos;un pas à l&apos;autre.</translation>
     </message>
@@ -4465,6 +4461,10 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>Here it still points into the wall.</source>
         <translation>Ici, elle pointe encore vers la paroi.</translation>
+    </message>
+    <message>
+        <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
+        <translation>Parti au repos de deux positions, il est deux pas plus tard à une seule et même position. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
     </message>
 </context>
 <context>

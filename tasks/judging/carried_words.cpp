@@ -102,8 +102,9 @@ public:
                         true);
         if (f.jumps && !m_right.at(gravity(), timestep(), m_i).jumps)
             return said(FlightText::tr("The new place of %who does not depend on the old one"),
-                        FlightText::tr("From every start tried it is at the same place after the "
-                                       "same two steps. A step *adds* a way to the old position."),
+                        FlightText::tr("Started at rest at two places, it is at one and the same "
+                                       "place two steps later. A step *adds* a way to the old "
+                                       "position."),
                         true);
         if (std::abs(f.carried - 1.0) > 1e-6 && !hasPull()
             && std::abs(right().carried - 1.0) < 1e-6)
