@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/flight_words.h"
 
-#include "tests/told_numbers.h"
+#include "tests/told_flight.h"
 
 using namespace cradle;
 using namespace cradle::programs;
 using namespace cradle::told;
 
-/// The numbers that findings on the motion of a program tell are those that its law makes.
-class TestToldMotion : public LabTest
+/// The numbers that findings on the way of a step, and on its method, tell are those that its law
+/// makes.
+class TestToldMotion : public ToldFlight
 {
     Q_OBJECT
 private slots:
@@ -18,56 +19,16 @@ private slots:
     void wayOfAStepIsTold();
     void crossedWayIsTold_data();
     void crossedWayIsTold();
-    void fallOfAStepIsTold_data();
-    void fallOfAStepIsTold();
-    void fallThatHangsOnTheCircleIsTold_data();
-    void fallThatHangsOnTheCircleIsTold();
-    void gravityOnThePlaceIsTold();
-    void whatComesToAWallAtOnceIsToldOfLess_data();
-    void whatComesToAWallAtOnceIsToldOfLess();
     void wrongWayBesideAMethodIsTold();
     void aTimestepThatIsRightIsTold();
     void stepsFromTheStartAreTold();
     void aRightFirstStepIsNotBlamed();
-    void oneThatIsLetGoIsTold();
     void stepsThatAlternateAreTold();
-    void eInTheOpenIsTold();
-    void aNumberForGravityIsTold();
-    void anOldCopyOfGravityIsTold();
-    void forceByVelocityOrPlaceIsTold_data();
-    void forceByVelocityOrPlaceIsTold();
-    void aSpeedThatIsCutIsTold();
-    void aConditionOnTheVelocityIsTold();
     void methodIsTold_data();
     void methodIsTold();
     void methodsOfTwoAreTold();
     void anyMethodInPartsIsRight_data();
     void anyMethodInPartsIsRight();
-
-private:
-    /// What is said in \p step of a program that adds \p place to the place and \p velocity to the
-    /// velocity, below \p headline.
-    [[nodiscard]] QString body(const char *step, const QString &place, const QString &velocity,
-                               const char *headline = "") const
-    {
-        return bodyOfProgram(step,
-                             written({.move = QStringLiteral("c.position = c.position + %1 "
-                                                             "c.velocity = c.velocity + %2")
-                                                  .arg(place, velocity)},
-                                     structures[0]),
-                             headline);
-    }
-    [[nodiscard]] QString bodyOfProgram(const char *step, const QString &program,
-                                        const char *headline = "") const
-    {
-        const LawBench bench(task(QLatin1String(step)));
-        const MeasuredLaws own(&program, bench.ground);
-        return bodyOf(flightDeviations(own.flight(), bench.right.flight(), bench.ground),
-                      QString::fromUtf8(headline));
-    }
-
-    const QString way = QStringLiteral("c.velocity * h");
-    const QString fall = QStringLiteral("gravity * h");
 };
 
 void TestToldMotion::wayOfAStepIsTold_data()
@@ -145,113 +106,6 @@ void TestToldMotion::crossedWayIsTold()
     QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[5], n[6]}));
 }
 
-void TestToldMotion::fallOfAStepIsTold_data()
-{
-    QTest::addColumn<QString>("velocity");
-    QTest::addColumn<Vec2>("change"); // of the velocity, of g h^power
-    QTest::addColumn<double>("power");
-    QTest::newRow("without time") << "gravity" << Vec2{0, -1} << 0.0;
-    QTest::newRow("time twice") << "gravity * h * h" << Vec2{0, -1} << 2.0;
-    QTest::newRow("a sixtieth") << "gravity / 60" << Vec2{0, -1.0 / 60} << 0.0;
-    QTest::newRow("half") << "gravity * h / 2" << Vec2{0, -0.5} << 1.0;
-    QTest::newRow("upward") << "-1 * gravity * h" << Vec2{0, 1} << 1.0;
-    QTest::newRow("three times") << "3 * gravity * h" << Vec2{0, -3} << 1.0;
-    QTest::newRow("sideways") << "vec(gravity.y, 0) * h" << Vec2{-1, 0} << 1.0;
-    QTest::newRow("none") << "vec(0, 0)" << Vec2{0, 0} << 1.0;
-}
-
-void TestToldMotion::fallOfAStepIsTold()
-{
-    QFETCH(QString, velocity);
-    QFETCH(Vec2, change);
-    QFETCH(double, power);
-    const auto n = numbersIn(body("L42T4", way, velocity),
-                             "Under gravity (#, #) m/s² the velocity changes by (#, #) m/s in a "
-                             "step of 1/# s; it should change by (#, #) m/s.");
-    QCOMPARE(n.size(), std::size_t{7});
-    const double h = 1.0 / n[4];
-    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
-    QVERIFY(isNear(Vec2{n[2], n[3]}, 9.81 * std::pow(h, power) * change));
-    QVERIFY(isNear(Vec2{n[5], n[6]}, h * Vec2{0.0, -9.81}));
-    QVERIFY(!isNear(Vec2{n[2], n[3]}, Vec2{n[5], n[6]}));
-}
-
-void TestToldMotion::fallThatHangsOnTheCircleIsTold_data()
-{
-    QTest::addColumn<QString>("factor");
-    QTest::addColumn<double>(
-        "times"); // where the radius is 1.25 and the density 1.5 times as large
-    QTest::newRow("radius") << "c.radius / 0.2" << 1.25;
-    QTest::newRow("density") << "c.density / 7.8" << 1.5;
-    QTest::newRow("mass") << "c.density * c.radius ^ 3 / 0.0624" << 1.5 * std::pow(1.25, 3);
-}
-
-void TestToldMotion::fallThatHangsOnTheCircleIsTold()
-{
-    QFETCH(QString, factor);
-    QFETCH(double, times);
-    const auto n = numbersIn(
-        body("L42T4", way, QStringLiteral("gravity * h * 0.5 * ") + factor),
-        "Under gravity (#, #) m/s² it is accelerated by (#, #) m/s², and by (#, #) m/s² when its "
-        "radius is 1.25 times and its density 1.5 times as large.");
-    QCOMPARE(n.size(), std::size_t{6});
-    QVERIFY(n[0] == 0.0 && n[1] == -9.81 && n[2] == 0.0 && n[4] == 0.0);
-    QVERIFY(isNear(n[3], 0.5 * -9.81));
-    QVERIFY(isNear(n[5], 0.5 * -9.81 * times));
-}
-
-void TestToldMotion::gravityOnThePlaceIsTold()
-{
-    const auto n = numbersIn(body("L42T4", QStringLiteral("c.velocity * h + 0.25 * gravity * h"),
-                                  QStringLiteral("vec(0, 0)")),
-                             "Under gravity (#, #) m/s² a circle at rest is (#, #) m away after a "
-                             "step of 1/# s, and its velocity is still 0.");
-    QCOMPARE(n.size(), std::size_t{5});
-    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
-    QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.0, 0.25 * -9.81 / n[4]}));
-}
-
-void TestToldMotion::whatComesToAWallAtOnceIsToldOfLess_data()
-{
-    QTest::addColumn<QString>("place");
-    QTest::addColumn<QString>("velocity");
-    QTest::addColumn<QString>("headline");
-    QTest::addColumn<QString>("pattern");
-    QTest::newRow("divided in the velocity")
-        << way << "gravity / h"
-        << "Gravity on both circles is divided by the timestep"
-        << QString::fromUtf8("Under gravity (#, #) m/s² the velocity changes by (#, #) m/s in a "
-                             "step of 1/# s");
-    for (const char *step : {"gravity / 2", "gravity * (h / h / 2)"})
-        QTest::newRow(step) << way + QStringLiteral(" + ") + QLatin1String(step) << fall
-                            << "What gravity adds to the way of both circles does not depend on "
-                            << QString::fromUtf8("Besides v Δt it goes (#, #) m in a step of 1/# "
-                                                 "s under gravity (#, #) m/s²");
-}
-
-/// Of a gravity so weak that no wall takes part.
-void TestToldMotion::whatComesToAWallAtOnceIsToldOfLess()
-{
-    QFETCH(QString, place);
-    QFETCH(QString, velocity);
-    QFETCH(QString, headline);
-    QFETCH(QString, pattern);
-    const LawProgram program{.move = QStringLiteral("c.position = c.position + %1 "
-                                                    "c.velocity = c.velocity + %2")
-                                         .arg(place, velocity),
-                             .walls = wallsOf(wallWays[1])};
-    for (const char *step : {"L42T4", "L42T17"}) {
-        const auto n = numbersIn(
-            bodyOfProgram(step, written(program, structures[1]), headline.toUtf8().constData()),
-            pattern.toUtf8().constData());
-        QCOMPARE(n.size(), std::size_t{5});
-        const bool isVelocity = velocity != fall;
-        const double g = isVelocity ? n[1] : n[4];
-        QVERIFY(g < 0.0 && g > -0.1);
-        QVERIFY(isNear(isVelocity ? n[3] : n[1], isVelocity ? g * n[4] : 0.5 * g));
-    }
-}
-
 /// By Verlet only where it comes down: v Δt is no right way there, either.
 void TestToldMotion::wrongWayBesideAMethodIsTold()
 {
@@ -316,20 +170,6 @@ void TestToldMotion::aRightFirstStepIsNotBlamed()
     QVERIFY(isNear(n[3], n[1] - 9.81 / n[4]) && n[6] == 0.0 && isNear(n[8], -9.81 / n[4]));
 }
 
-/// A floor that asks "below it or on the way down" turns whatever falls.
-void TestToldMotion::oneThatIsLetGoIsTold()
-{
-    const auto n = numbersIn(body("L42T4", way,
-                                  QStringLiteral("gravity * h if c.velocity.y < 0 then "
-                                                 "c.velocity = vec(c.velocity.x, -c.velocity.y) "
-                                                 "end")),
-                             "Let go at rest, it has (#, #) m/s one step of 1/# s later, far from "
-                             "every wall and every other circle; gravity gives it (#, #) m/s in a "
-                             "step. Thrown with (#, #) m/s it goes on as it should.");
-    QCOMPARE(n.size(), std::size_t{7});
-    QVERIFY(isNear(n[1], 9.81 / n[2]) && isNear(n[4], -9.81 / n[2]) && n[6] > 0.0);
-}
-
 /// Two steps at once, and none in the next one.
 void TestToldMotion::stepsThatAlternateAreTold()
 {
@@ -340,138 +180,6 @@ void TestToldMotion::stepsThatAlternateAreTold()
     const QString late = body("L42T4", way, fall + QStringLiteral(" * (time > 1 and 2 or 1)"),
                               "The step of both circles depends on how long the run has lasted");
     QVERIFY(!late.isEmpty());
-}
-
-void TestToldMotion::eInTheOpenIsTold()
-{
-    const QString program =
-        written({.move = QStringLiteral("c.velocity = (c.velocity + gravity * h) * "
-                                        "(1 - (1 - restitution) * h) "
-                                        "c.position = c.position + c.velocity * h"),
-                 .walls = wallsOf(wallWays[1])},
-                structures[1]);
-    const LawBench bench(task(QStringLiteral("L42T17")));
-    const MeasuredLaws own(&program, bench.ground);
-    const auto found = flightDeviations(own.flight(), bench.right.flight(), bench.ground);
-    QCOMPARE(found.size(), std::size_t{1});
-    QVERIFY(found.front().hidesHits);
-    const auto n = numbersIn(bodyOf(found, QStringLiteral("e changes the velocity of both circles "
-                                                          "away from any hit")),
-                             "Started with (#, #) m/s, it has (#, #) m/s two steps of 1/# s later "
-                             "with e = #, and (#, #) m/s with e = 1; nothing is near.");
-    QCOMPARE(n.size(), std::size_t{8});
-    const double h = 1.0 / n[4];
-    QVERIFY(isNear(n[2], n[0] * std::pow(1.0 - (1.0 - n[5]) * h, 2)) && n[2] < n[6]);
-}
-
-void TestToldMotion::aNumberForGravityIsTold()
-{
-    const auto n = numbersIn(body("L42T17", way, QStringLiteral("vec(0.5, -3) * h")),
-                             "Under gravity (#, #) m/s² it is accelerated by (#, #) m/s², and by "
-                             "(#, #) m/s² under (#, #) m/s².");
-    QCOMPARE(n.size(), std::size_t{8});
-    QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.5, -3.0}));
-    QVERIFY(isNear(Vec2{n[4], n[5]}, Vec2{0.5, -3.0}));
-    QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[6], n[7]}));
-}
-
-void TestToldMotion::anOldCopyOfGravityIsTold()
-{
-    const LawProgram old{.start = QStringLiteral("pull = gravity gravity = vec(0, -9.81)"),
-                         .move = QStringLiteral("c.velocity = c.velocity + pull * h "
-                                                "c.position = c.position + c.velocity * h")};
-    const auto n = numbersIn(bodyOfProgram("L42T17", written(old, structures[3])),
-                             "In your own scene gravity is (#, #) m/s², and the velocity changes "
-                             "by (#, #) m/s in a second.");
-    QCOMPARE(n.size(), std::size_t{4});
-    QVERIFY(n[0] == 0.0 && n[1] == -9.81);
-    QVERIFY(isNear(Vec2{n[2], n[3]}, task(QStringLiteral("L42T17")).preset.gravity));
-}
-
-void TestToldMotion::forceByVelocityOrPlaceIsTold_data()
-{
-    QTest::addColumn<QString>("force");
-    QTest::addColumn<QString>("headline");
-    QTest::addColumn<QString>("told");
-    const auto row = [](const char *force, const char *headline, const char *told) {
-        QTest::newRow(force) << QString::fromUtf8(force) << QString::fromUtf8(headline)
-                             << QString::fromUtf8(told);
-    };
-    const char *slower = "Something slows both circles down on the way";
-    const char *inY = "Something slows both circles down on the way (only in y)";
-    row("-0.2 * c.velocity", slower,
-        "With Δt = 1/60 s it is accelerated by -0.2 m/s² for every m/s of its velocity; 0 is "
-        "right.");
-    row("0.3 * c.velocity", "Something makes both circles faster on the way",
-        "With Δt = 1/60 s it is accelerated by 0.3 m/s² for every m/s of its velocity; 0 is "
-        "right.");
-    row("-vec(0, 0.4 * c.velocity.y)", inY,
-        "With Δt = 1/60 s it is accelerated in y by -0.4 m/s² for every m/s of its velocity in y; "
-        "0 is right.");
-    row("vec(-0.1 * c.velocity.x, 0.4 * c.velocity.y)",
-        "The velocity of both circles changes by itself otherwise than asked",
-        "With Δt = 1/60 s it is accelerated by -0.1 m/s² for every m/s of its velocity in x, and "
-        "by 0.4 m/s² for every m/s in y; 0 and 0 are right.");
-    // A tenth of the velocity, however long the step is.
-    row("-0.1 * c.velocity / h", slower,
-        "With Δt = 1/60 s it is accelerated by -6 m/s² for every m/s of its velocity; 0 is right. "
-        "In a step of 1/120 s it keeps as much of it, 0.9 times: so what happens in a second "
-        "depends "
-        "on Δt.");
-    row("-vec(2 * c.velocity.x / h, 0)",
-        "Far from everything the velocity of both circles turns round (only in x)",
-        "It had (-1.13, 0.547) m/s, and (1.13, 0.383) m/s one step of 1/60 s later, with nothing "
-        "near that it could hit. Look at the lines that turn it, and at what is asked before them: "
-        "is it true although nothing touches?");
-    row("-vec(0.3 * c.position.x, 0.7 * c.position.y)",
-        "The acceleration of both circles depends on the place",
-        "At rest under gravity (0, -9.81) m/s² it is accelerated by (0.411, -10.4) m/s² at (-1.37, "
-        "0.83) m and by (0.318, -10.2) m/s² at (-1.06, 0.6) m; (0, -9.81) and (0, -9.81) m/s² are "
-        "right.");
-}
-
-void TestToldMotion::forceByVelocityOrPlaceIsTold()
-{
-    QFETCH(QString, force);
-    QFETCH(QString, headline);
-    QFETCH(QString, told);
-    const LawProgram program{.move = QStringLiteral("local a = gravity + %1 "
-                                                    "c.position = c.position + c.velocity * h "
-                                                    "c.velocity = c.velocity + a * h")
-                                         .arg(force)};
-    QCOMPARE(bodyOfProgram("L42T4", written(program, structures[0]), headline.toUtf8().constData()),
-             told);
-}
-
-/// At most 1 m/s, and then gravity: what is left without that has the direction of the throw.
-void TestToldMotion::aSpeedThatIsCutIsTold()
-{
-    const auto n = numbersIn(
-        body("L42T4", way,
-             QStringLiteral("gravity * h - c.velocity * (1 - math.min(1, 1 / "
-                            "c.velocity:length()))")),
-        "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/# s later, far from every wall "
-        "and every other circle; gravity gives it (#, #) m/s in a step.");
-    QCOMPARE(n.size(), std::size_t{7});
-    QVERIFY(isNear(Vec2{n[5], n[6]}, Vec2{0.0, -9.81 / n[4]}));
-    const Vec2 thrown{n[0], n[1]};
-    QVERIFY(length(thrown) > 1.0);
-    QVERIFY(length(Vec2{n[2], n[3]} - Vec2{n[5], n[6]} - normalized(thrown)) < 0.01);
-}
-
-/// Who moves to the left is not pulled.
-void TestToldMotion::aConditionOnTheVelocityIsTold()
-{
-    const auto n = numbersIn(
-        body("L42T4", way, QStringLiteral("(c.velocity.x > 0.6 and gravity * h or vec(0, 0))")),
-        "Under gravity (#, #) m/s² and with the velocity (#, #) m/s it changes by (#, #) m/s in a "
-        "step of 1/# s, with (#, #) m/s by (#, #) m/s; (#, #) and (#, #) m/s are right.");
-    QCOMPARE(n.size(), std::size_t{15});
-    const Vec2 right{0.0, -9.81 / n[6]};
-    QVERIFY(isNear(Vec2{n[4], n[5]}, n[2] > 0.6 ? right : Vec2{}));
-    QVERIFY(isNear(Vec2{n[9], n[10]}, n[7] > 0.6 ? right : Vec2{}));
-    QVERIFY(isNear(Vec2{n[11], n[12]}, right) && isNear(Vec2{n[13], n[14]}, right));
-    QVERIFY((n[2] > 0.6) != (n[7] > 0.6));
 }
 
 void TestToldMotion::methodIsTold_data()
