@@ -182,7 +182,7 @@ void TestApprovedHistories::historiesAreAsApproved()
         packs.append(packOf({whole, each}));
     // A delta upon itself goes on without end.
     packs.append(packOf({Packed{.kind = 7, .head = right, .id = right, .content = delta}}));
-    for (const RepositoryFiles &pack : packs) {
+    for (const RepositoryFiles &pack : std::as_const(packs)) {
         RepositoryFiles files = made.files;
         files.remove(pathOf(right));
         files.remove(pathOf(wrong));
@@ -190,6 +190,8 @@ void TestApprovedHistories::historiesAreAsApproved()
         all += told(keptHistory(files, steps)) + u'\n';
         QCryptographicHash broken(QCryptographicHash::Sha256);
         for (auto it = files.cbegin(); it != files.cend(); ++it) {
+            if (&pack != &packs.first() && !it.key().startsWith(text("objects/pack/")))
+                continue; // broken beside the first pack already
             for (qsizetype at = 0; at < it->size(); at += 1 + it->size() / 300) {
                 for (const int bits : {1, 0x80}) {
                     RepositoryFiles other = files;
