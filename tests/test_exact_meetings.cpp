@@ -19,6 +19,10 @@ private slots:
     void aHitOnTwoThatLieLeavesThemOnTheFloor();
     void aGrazeIsNoHit_data();
     void aGrazeIsNoHit();
+    void lawsWithoutMassesAnswerInTurn_data();
+    void lawsWithoutMassesAnswerInTurn();
+    void wallsOfACornerAnswerInTurn();
+    void swappedVelocitiesLiftWhatLies();
     void aBreakIsSolvedAsOne_data();
     void aBreakIsSolvedAsOne();
     void whatFallsSlowlyMeetsWhatLies();
@@ -50,6 +54,90 @@ void TestExactMeetings::aGrazeIsNoHit()
     QCOMPARE(run.hits.size(), std::size_t{1});
     COMPARE_NEAR(run.hits[0].time, 4.75, 1e-12);
     COMPARE_NEAR(c.position.x, 3.75 - 5.25, 1e-12);
+}
+
+void TestExactMeetings::lawsWithoutMassesAnswerInTurn_data()
+{
+    QTest::addColumn<int>("law");
+    QTest::addColumn<std::vector<double>>("velocities"); // m/s, from the left
+    QTest::addColumn<std::vector<double>>("losses");     // J, of circles of 2 kg
+    QTest::addColumn<std::vector<double>>("impulses");   // N s, of what the first loses
+    // 1 and 0 change, then 1 and −2, then 0 and −2.
+    QTest::newRow("whole velocities")
+        << int(CircleLaw::SwapVelocities) << std::vector<double>{-2.0, 0.0, 1.0}
+        << std::vector<double>{0.0, 0.0, 0.0} << std::vector<double>{2.0, 6.0, 4.0};
+    QTest::newRow("stop") << int(CircleLaw::Stop) << std::vector<double>{0.0, 0.0, 0.0}
+                          << std::vector<double>{1.0, 4.0} << std::vector<double>{2.0, 0.0};
+}
+
+/// Two come to one between them at the same moment.
+void TestExactMeetings::lawsWithoutMassesAnswerInTurn()
+{
+    QFETCH(int, law);
+    QFETCH(std::vector<double>, velocities);
+    QFETCH(std::vector<double>, losses);
+    QFETCH(std::vector<double>, impulses);
+    Laws laws = exact;
+    laws.circles = CircleLaw(law);
+    const double rho = 2.0 / mass(Circle{.radius = 0.2, .density = 1.0});
+    const auto ball = [rho](double x, double v) {
+        return circle({x, 0.5}, {v, 0}, 0.2, Integrator::Verlet, rho);
+    };
+    Run run(scene({ball(-0.9, 1), ball(0, 0), ball(1.4, -2)}, laws));
+    run.steps(40); // they meet after 0.5 s
+    for (std::size_t i = 0; i < 3; ++i) {
+        COMPARE_NEAR(run[i].velocity.x, velocities[i], 1e-12);
+        QCOMPARE(run[i].velocity.y, 0.0);
+    }
+    QCOMPARE(run.hits.size(), losses.size());
+    for (std::size_t i = 0; i < losses.size(); ++i) {
+        const Hit &hit = run.hits[i];
+        COMPARE_NEAR(hit.time, 0.5, 1e-12);
+        COMPARE_NEAR(hit.loss, losses[i], 1e-12);
+        COMPARE_NEAR(hit.impulse, impulses[i], 1e-12);
+    }
+}
+
+/// Both walls of a corner give e times the part at each of them back.
+void TestExactMeetings::wallsOfACornerAnswerInTurn()
+{
+    Laws laws = exact;
+    laws.circles = CircleLaw::Stop;
+    Preset preset = scene({circle({3, -3}, {1.6, -1.6})}, laws);
+    preset.restitution = 0.5;
+    Run run(preset);
+    run.steps(40); // 0.8 m take 0.5 s
+    QCOMPARE(run.hits.size(), std::size_t{2});
+    const double m = mass(run[0]);
+    for (const Hit &hit : run.hits) {
+        COMPARE_NEAR(hit.loss, 0.5 * m * (1.6 * 1.6 - 0.8 * 0.8), 1e-12);
+        COMPARE_NEAR(hit.impulse, 2.4 * m, 1e-12);
+    }
+    COMPARE_NEAR(run[0].velocity.x, -0.8, 1e-12);
+    COMPARE_NEAR(run[0].velocity.y, 0.8, 1e-12);
+}
+
+/// One that slides on the floor meets one that rises, and takes its velocity; that one slides then.
+/// One that falls onto what lies gives it a velocity into the floor, which does not let it.
+void TestExactMeetings::swappedVelocitiesLiftWhatLies()
+{
+    Laws laws = exact;
+    laws.circles = CircleLaw::SwapVelocities;
+    Preset preset = scene({circle({-0.6, -3.8}, {2, 0}), circle({0, -3.79}, {0, 1})}, laws);
+    preset.gravity = {0, -0.1};
+    Run run(preset);
+    run.steps(30);
+    QCOMPARE(run.hits.size(), std::size_t{1});
+    COMPARE_NEAR(run[0].velocity.y, 1.0 - 0.1 * 0.5, 1e-12);
+    COMPARE_NEAR(run[0].velocity.x, 0.0, 1e-12);
+    COMPARE_NEAR(run[1].velocity.x, 2.0, 1e-12);
+
+    preset.circles = {circle({0, -3.8}), circle({0, -3.3}, {0.0, -1.0})};
+    Run onto(preset);
+    onto.steps(12); // 0.1 m take 0.1 s
+    QCOMPARE(onto[0].velocity, Vec2{});
+    COMPARE_NEAR(onto[0].position.y, -3.8, 1e-15);
+    QVERIFY(onto[1].velocity.y <= 0.0);
 }
 
 void TestExactMeetings::aBreakIsSolvedAsOne_data()
