@@ -148,6 +148,11 @@ void TestHandIn::namesAreFileNames_data()
                           << "student-lab-4.2.cradle-work";
     QTest::newRow("path") << "../../etc/passwd"
                           << "etc-passwd-lab-4.2.cradle-work";
+    QTest::newRow("sign at the end") << "Ada L.?"
+                                     << "Ada-L-lab-4.2.cradle-work";
+    QTest::newRow("long") << QStringLiteral("a").repeated(59) + QStringLiteral("bc")
+                          << QStringLiteral("a").repeated(59)
+                                 + QStringLiteral("b-lab-4.2.cradle-work");
     QTest::newRow("other letters") << QString::fromUtf8("李") << "student-lab-4.2.cradle-work";
 }
 

@@ -137,8 +137,7 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
         if (!probe.step())
             break;
         hit.answered = hit.held = false;
-        if (length(before[1].position - before[0].position) < touching + 2.0 * speed * m_h)
-            note(hit, before, probe, flights, k);
+        note(hit, before, probe, flights, k);
         const bool is = hit.answered && length(hit.push1()) > 0.1 && length(hit.push2()) > 0.1;
         if (is && !was && first)
             return LaterHit{*first, hit};

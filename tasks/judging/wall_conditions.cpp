@@ -64,24 +64,22 @@ private:
         }
     }
 
-    /// Whether \p hit is answered when others as fast are at that wall, if one place would do for
-    /// all of them, and else at its rim: not far outside, where another condition may have come
-    /// true.
+    /// Whether \p hit is answered where others are at that wall, if one place would do for all of
+    /// them, and else at its rim: not far outside, where another condition may have come true.
     [[nodiscard]] bool isAnswered(const WallHit &hit) const
     {
         if (!(hit.turned || hit.held) || hit.isFar())
             return false;
-        const double blur = 0.1 * std::abs(hit.travel);
-        std::optional<double> inTime;
-        for (const WallHit &other : m_own.walls().hits) {
-            if (other.circle == hit.circle && other.wall == hit.wall && other.turned
-                && !other.isFar() && std::abs(other.travel - hit.travel) < blur)
-                inTime = std::min(inTime.value_or(other.reached), other.reached);
-        }
-        if (!m_own.walls().hasOnePlace(hit.circle, hit.wall)
-            || m_own.walls().turnsAtRim(hit.circle, hit.wall))
-            inTime = hit.radius;
-        return !inTime || hit.before > std::min(*inTime, hit.radius) - 1.5 * std::abs(hit.travel);
+        const MeasuredWalls &walls = m_own.walls();
+        const auto other =
+            std::find_if(walls.hits.begin(), walls.hits.end(), [&](const WallHit &one) {
+                return one.circle == hit.circle && one.wall == hit.wall && one.turned;
+            });
+        const bool isElsewhere = other != walls.hits.end()
+                                 && walls.hasOnePlace(hit.circle, hit.wall)
+                                 && !walls.turnsAtRim(hit.circle, hit.wall);
+        const double place = isElsewhere ? std::min(other->reached, hit.radius) : hit.radius;
+        return hit.before > place - 1.5 * std::abs(hit.travel);
     }
 
     /// Whether \p hit is answered as that of the reference is.

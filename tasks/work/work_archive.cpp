@@ -106,7 +106,7 @@ QString workFileName(const QString &student, const QString &labId)
                  && !name.endsWith(QLatin1Char('-')))
             name += QLatin1Char('-');
     }
-    while (name.endsWith(QLatin1Char('-')))
+    if (name.endsWith(QLatin1Char('-')))
         name.chop(1);
     if (name.isEmpty())
         name = QStringLiteral("student");
