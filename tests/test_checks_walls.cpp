@@ -31,6 +31,7 @@ private slots:
     void comingToRestIsAccepted_data();
     void comingToRestIsAccepted();
     void hoppingForEverIsRefused();
+    void hopsOfWhoLooksAheadAreRest();
 };
 
 namespace {
@@ -257,6 +258,26 @@ void TestChecksWalls::hoppingForEverIsRefused()
     const Observation o = observed(scene({Circle{}}, down, 0.75), 60.0,
                                    [](Circles &c, double h) { goBack(c[0], down, 1.0, h); });
     VERIFY_REFUSED(judge(check("settles"), o), QStringLiteral("still comes"));
+}
+
+/// Turned a step before it would be beyond the floor it goes up from there: that lifts each hop.
+void TestChecksWalls::hopsOfWhoLooksAheadAreRest()
+{
+    const auto hopping = [](double e, double more) {
+        return observed(scene({Circle{}}, down, e), 60.0, [e, more](Circles &c, double h) {
+            fall(c[0], down, h);
+            if (c[0].position.y < c[0].radius - wall) {
+                c[0].position -= h * c[0].velocity;
+                c[0].velocity.y *= -e * more;
+                c[0].position += h * c[0].velocity;
+            }
+        });
+    };
+    for (const double e : {0.5, 0.75, 0.9})
+        VERIFY_ACCEPTED(judge(check("settles"), hopping(e, 1.0)));
+    // A hit that takes two thirds of what it should hops higher than any timestep explains.
+    VERIFY_REFUSED(judge(check("settles"), hopping(0.9, 0.935 / 0.9)),
+                   QStringLiteral("still comes"));
 }
 
 QTEST_APPLESS_MAIN(TestChecksWalls)

@@ -57,6 +57,20 @@ double referenceHeight(const Observation &o, int i, Integrator integrator)
     return lastHeight(observe(reference), i);
 }
 
+/// How high a circle may hop for ever that loses (1 - e) v in a hit and gains at most g Δt by it,
+/// as one does that is turned a step before the floor, and so as high as a step's way above it, m:
+///     v = g Δt / (1 - e),  h = v² / 2g + v Δt
+double steadyHeight(const Observation &o, Vec2 gravity)
+{
+    const double g = length(gravity);
+    const double loss = 1.0 - o.variant.preset.restitution;
+    if (g <= 0.0 || loss <= 0.0)
+        return 0.0;
+    const double h = o.timestep();
+    const double v = g * h / loss;
+    return v * v / (2.0 * g) + v * h;
+}
+
 } // namespace
 
 std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
@@ -66,7 +80,8 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
         double allowed = 0.0;
         for (const Integrator integrator : matchingIntegrators(check, o, i, gravity))
             allowed = std::max(allowed, referenceHeight(o, i, integrator));
-        allowed = std::max(generosity * allowed, motion::toleranceOf(check));
+        allowed =
+            std::max({generosity * allowed, steadyHeight(o, gravity), motion::toleranceOf(check)});
         if (!hasFallen(o, i, gravity))
             return Fault{.message =
                              SettleText::tr("Circle %1 never fell onto the floor in %2 s; "
