@@ -119,6 +119,50 @@ Circles sleepers()
     return all;
 }
 
+/// Many that meet at the same moments: mirrored across both axes, into walls, corners and each
+/// other.
+Circles mirrored(double speed)
+{
+    Circles all;
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+            all.push_back(circle({1.5 * x, 1.5 * y}, {-speed * x, -speed * y}));
+            all.push_back(circle({2.6 * x, 2.6 * y}, {speed * x, speed * y}, 0.3));
+            all.push_back(circle({3.0 * x, 0.9 * y}, {speed * x, 0.0}, 0.1));
+        }
+    }
+    all.push_back(circle({}));
+    return all;
+}
+
+/// Some of each size, from grains to one that takes a sixteenth of the square.
+Circles sizes(double speed)
+{
+    Circles all = crowd(80, 0.05, speed, 14, 1.9);
+    for (const PresetCircle &c : crowd(12, 0.1, speed, 15, 1.0)) {
+        PresetCircle other = c;
+        other.body.position = 0.6 * c.body.position + Vec2{3.2, -3.2};
+        other.body.radius = 0.02 + 0.04 * std::abs(c.body.position.x);
+        all.push_back(other);
+    }
+    all.push_back(circle({-2.9, 2.9}, {2.0 * speed, -1.5 * speed}, 1.0));
+    all.push_back(circle({2.9, 2.9}, {-speed, 2.0 * speed}, 0.8));
+    return all;
+}
+
+/// All touch another, or a wall, from the start.
+Circles touching()
+{
+    return {circle({0.0, 0.0}, {1.0, 0.2}),
+            circle({0.4, 0.0}, {-1.0, 0.0}),
+            circle({0.0, 0.4}),
+            circle({3.8, 0.0}, {0.5, 0.1}),
+            circle({-3.8, -3.8}),
+            circle({-3.8, -3.4}, {0.0, -2.0}),
+            circle({2.0, 3.8}, {0.3, 3.0}),
+            circle({2.4, 3.8}, {-0.3, 1.0})};
+}
+
 void addNumber(QCryptographicHash &hash, double value)
 {
     char bytes[sizeof value];
@@ -184,6 +228,53 @@ void TestApprovedRuns::everyBitIsAsApproved_data()
         add("fine steps, aslant", other, 400);
         other.laws.walls = WallLaw::None;
         add("no walls", other, 200);
+        for (const CircleLaw law : {CircleLaw::SwapVelocities, CircleLaw::SwapNormal,
+                                    CircleLaw::Stop, CircleLaw::Impulse}) {
+            for (const double e : {1.0, 0.5, 0.0}) {
+                for (const double gravity : {0.0, 9.81}) {
+                    const auto addAll = [&](const char *name, const Circles &circles) {
+                        Preset preset = made(circles, timing, gravity, e);
+                        preset.laws.circles = law;
+                        add(qPrintable(QStringLiteral("%1, law %2, e %3, %4 m/s²")
+                                           .arg(QLatin1String(name))
+                                           .arg(int(law))
+                                           .arg(e)
+                                           .arg(gravity)),
+                            preset, 100);
+                    };
+                    addAll("mirrored", mirrored(1.7));
+                    addAll("touching", touching());
+                    addAll("resting", resting());
+                }
+            }
+        }
+        // Towards each wall, and into each corner.
+        for (const Vec2 gravity : {Vec2{0, 9.81}, Vec2{9.81, 0}, Vec2{-9.81, 0}, Vec2{4, 5},
+                                   Vec2{-4, 5}, Vec2{4, -5}, Vec2{-4, -5}, Vec2{0, -0.05}}) {
+            const auto addAll = [&](const char *name, const Circles &circles, double e, int steps) {
+                Preset preset = made(circles, timing, 0.0, e);
+                preset.gravity = gravity;
+                add(qPrintable(QStringLiteral("%1, gravity %2, %3")
+                                   .arg(QLatin1String(name))
+                                   .arg(gravity.x)
+                                   .arg(gravity.y)),
+                    preset, steps);
+            };
+            addAll("few", crowd(12, 0.3, 1.0, 16), 0.4, 240);
+            addAll("sizes", sizes(1.0), 0.8, 60);
+        }
+        for (const bool walled : {true, false}) {
+            for (const double width : {4.0, 4.9, 40.0}) {
+                Preset preset = made(sizes(2.0), timing, walled ? 0.0 : 1.0, 1.0);
+                preset.halfWidth = width;
+                if (!walled)
+                    preset.laws.walls = WallLaw::None;
+                add(qPrintable(QStringLiteral("sizes, %1 m, walls %2").arg(width).arg(walled)),
+                    preset, 120);
+            }
+        }
+        add("one", made({circle({0.3, -0.2}, {2.0, -1.0})}, timing, 9.81, 0.6), 240);
+        add("none", made({}, timing, 9.81, 0.6), 10);
     }
 }
 
