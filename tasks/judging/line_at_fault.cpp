@@ -21,11 +21,14 @@ namespace cradle {
 namespace {
 
 /// Changed programs that pass the look and are measured: more of those that pass twice.
-constexpr std::size_t mostMeasured = 7;
+constexpr int mostMeasured = 7;
 constexpr std::size_t mostDoubtful = 3;
 constexpr int mostOfALine = 3;
 /// Those that are put to the checks, which is sooner done.
 constexpr int mostJudged = 60;
+/// Changes that are looked at once one has taken all of the fault away and left another: one that
+/// leaves nothing is among the next, or there is none.
+constexpr int mostAfterMended = 200;
 
 /// Changed programs that are looked at, of values and of words: what is asked, and masses, lie
 /// behind many lines.
@@ -203,14 +206,18 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     // What shows nothing proves nothing.
     if (query.ran.now.empty() || !look.showsFault())
         return std::nullopt;
-    std::vector<Repair> likely;
+    Proof proof(query);
     std::vector<Repair> doubtful;
     std::optional<Repair> twins;
     std::map<int, int> tries;
     int judged = 0;
+    int measured = 0;
+    bool isMended = false;
+    int afterMended = 0;
     for (const Repair &repair : changesOf(query)) {
         // All that is tried any more is known.
-        if (judged >= mostJudged && likely.size() >= mostMeasured)
+        if ((judged >= mostJudged && (isMended || measured >= mostMeasured))
+            || (isMended && ++afterMended > mostAfterMended))
             break;
         const Sight sight = look.of(repair.source);
         if (sight == Sight::Once && !isOfQuestion(query.suspect) && doubtful.size() < mostDoubtful)
@@ -226,17 +233,15 @@ std::optional<Repair> repairOf(const FaultQuery &query)
                 twins = repair;
             }
         }
-        if (likely.size() < mostMeasured && ++tries[repair.line] <= mostOfALine)
-            likely.push_back(repair);
+        if (!isMended && measured < mostMeasured && ++tries[repair.line] <= mostOfALine) {
+            ++measured;
+            isMended = proof.take(repair);
+        }
     }
     if (twins)
         return twins;
-    Proof proof(query);
-    for (const std::vector<Repair> &those : {likely, doubtful}) {
-        if (std::any_of(those.begin(), those.end(),
-                        [&](const Repair &repair) { return proof.take(repair); }))
-            break;
-    }
+    for (auto repair = doubtful.begin(); !isMended && repair != doubtful.end(); ++repair)
+        isMended = proof.take(*repair);
     return proof.best();
 }
 

@@ -8,6 +8,7 @@
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/wall_words.h"
+#include "tasks/runs/submission_runs.h"
 
 #include <algorithm>
 
@@ -129,8 +130,10 @@ std::vector<LawDeviation> StepDeviations::besides(const MeasuredLaws &laws, Aspe
 bool StepDeviations::passes(const QString &program) const
 {
     const Submission changed(m_submission.preset, program);
+    SubmissionRuns runs(changed);
     const auto isRight = [&](const CheckSpec &check, const Variant &variant) {
-        const Observation run = observe(variant, changed.program(), {}, mostInstructions);
+        const Observation &run = runs.of(
+            variant, [] { return false; }, mostInstructions);
         return !run.error && !judge(check, run);
     };
     std::vector<CheckPlan> plans;
