@@ -263,7 +263,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
             f.integrate = lab("if c.index == 1 then ") + euler
                           + lab(" else c.position = circle1.position end");
         });
-    row("L42T12", "turned by an angle", "Circle 2 leaves a hit as it should, circle 1 does not",
+    row("L42T12", "turned by an angle", "Only circle 2 leaves a hit as it should",
         [](OtherForm &f) {
             f.answer += lab(" if closing > 0 then p.velocity = p.velocity:perpendicular() end");
         });

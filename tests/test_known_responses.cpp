@@ -82,6 +82,8 @@ const Answer answers[] = {
     {"Two equal circles exchange their whole velocities", {-0.3, 0.1, 1.2, 0.4}},
     {"The parts across change hands, and those along the normal stay", {1.2, 0.1, -0.3, 0.4}},
     {"The parts across the normal are lost", {-0.3, 0, 1.2, 0}},
+    // Their speeds are as 4 to 1.
+    {"Each circle keeps its direction and gets the other's speed", {0.3, 0.1, -1.2, 0.4}},
     {"Both circles leave with the velocity of circle 2", {-0.3, 0.1, -0.3, 0.1}},
     {"Both circles leave with the velocity of circle 1", {1.2, 0.4, 1.2, 0.4}},
     // 13/15 of the closing speed of 1.5 m/s, and then of what it has become: −0.1 + 0.3 m/s.

@@ -93,8 +93,8 @@ void TestPushSize::partsOfOneCircleAreTold_data()
     QTest::addColumn<QString>("answer");
     QTest::addColumn<QString>("headline");
     QTest::addColumn<std::vector<double>>("parts");
-    const QString one = text("Circle 2 leaves a hit as it should, circle 1 does not");
-    const QString two = text("Circle 1 leaves a hit as it should, circle 2 does not");
+    const QString one = text("Only circle 2 leaves a hit as it should");
+    const QString two = text("Only circle 1 leaves a hit as it should");
     QTest::newRow("nothing for it")
         << text("local a = p.velocity:dot(n) p.velocity = p.velocity - a * n "
                 "q.velocity = q.velocity + closing * n")

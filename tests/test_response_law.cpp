@@ -119,8 +119,13 @@ void TestResponseLaw::stepThatStopsBothSaysSo()
                                "p.velocity = q.velocity q.velocity = p.velocity"}) {
         const HitLaw law{.answer = text(answer)};
         const QString program = written(withHit(hitOf(hitWays[0], law)), structures[0]);
-        QCOMPARE(step.response(program), QStringList(text("Not every hit stops both circles")));
+        QCOMPARE(step.response(program), QStringList(text("The circles do not stop in a hit")));
     }
+    const HitLaw some{.answer =
+                          text("if n.x > 0 then p.velocity, q.velocity = vec(0, 0), vec(0, 0) "
+                               "else q.velocity = p.velocity end")};
+    const QString program = written(withHit(hitOf(hitWays[0], some)), structures[0]);
+    QCOMPARE(step.response(program), QStringList(text("Not every hit stops both circles")));
 }
 
 void TestResponseLaw::contactAndAnswerAreNamedBoth_data()

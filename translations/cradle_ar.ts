@@ -1128,6 +1128,10 @@
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s, while the circles moved apart and the other one kept its own; it should stay as it was</source>
         <translation>في الخطوة ⁨%1⁩ تغيّرت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما كانت الدائرتان تتباعدان واحتفظت الأخرى بسرعتها؛ يجب أن تبقى كما كانت</translation>
     </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged when its motion is right</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩، وتضيف الجاذبية ⁦%5 m⁩ على الأكثر. يُحكم على التصادمات حين تصح حركتها</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -2719,16 +2723,16 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>الدائرة الملساء لا تدفع إلا على خط المركزين.</translation>
     </message>
     <message>
-        <source>The pushes on the two circles are not equal and opposite</source>
-        <translation>الدفعان على الدائرتين ليسا متساويين متعاكسين</translation>
+        <source>The two pushes are not equal and opposite</source>
+        <translation>الدفعان ليسا متساويين متعاكسين</translation>
     </message>
     <message>
         <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
         <translation>ما تكسبه دائرة تفقده الأخرى ذات الكتلة نفسها: وإلا تغيرت كمية الحركة الكلية.</translation>
     </message>
     <message>
-        <source>The push does not act along the line of centres alone</source>
-        <translation>لا يؤثر الدفع على خط المركزين وحده</translation>
+        <source>The push is not along the line of centres</source>
+        <translation>لا يقع الدفع على خط المركزين</translation>
     </message>
     <message>
         <source>The parts across it must stay as they were.</source>
@@ -3390,10 +3394,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>عند ⁦%1 s⁩ من تشغيلها جاءت الدائرة ⁨%2⁩ إلى ⁨%3⁩ عند ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩ ومضت أولًا إلى ما بعده.</translation>
     </message>
     <message>
-        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
-        <translation>قُذفت نحو كل جدار فنفذت منه %who؛ عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩. انظر ما الذي يُسأل بعد الحركة وهل يكون الجواب نعم أبدًا.</translation>
-    </message>
-    <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
         <translation>قُذفت الدائرة ⁨%3⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ فمضت إلى ما بعده. انظر ما الذي يسأله برنامجك عنه وهل يكون الجواب نعم أبدًا.</translation>
     </message>
@@ -3698,8 +3698,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>بخطوة زمنية ⁦%1 s⁩ الدفع يساوي ما يجب مضروبًا في ⁨%2⁩، وبخطوة ⁦%3 s⁩ مضروبًا في نحو ⁨%4⁩.</translation>
     </message>
     <message>
-        <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
-        <translation>تغادر الدائرة ⁨%1⁩ التصادم كما يجب ولا تغادره الدائرة ⁨%2⁩ كذلك</translation>
+        <source>Only circle %1 leaves a hit as it should</source>
+        <translation>الدائرة ⁨%1⁩ وحدها تغادر التصادم كما يجب</translation>
     </message>
     <message>
         <source>Hits at the %walls take the part of %who along the normal away</source>
@@ -3714,8 +3714,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تُقابَل بعض اللقاءات بالاستجابة متأخرة</translation>
     </message>
     <message>
-        <source>A hit changes the part of circle %1 across the line of centres</source>
-        <translation>يغيّر التصادم مركّبة الدائرة ⁨%1⁩ المعامدة لخط المركزين</translation>
+        <source>Circle %1 does not keep its part across in a hit</source>
+        <translation>لا تحتفظ الدائرة ⁨%1⁩ بمركّبتها المعامدة في التصادم</translation>
     </message>
     <message>
         <source>From every start tried the two are at the same place one step later. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
@@ -4517,6 +4517,26 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
         <translation>من بدايتين ساكنتين في موضعين تكون الدائرة بعد خطوتين في موضع واحد بعينه. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
+    </message>
+    <message>
+        <source>%1 (in most hits)</source>
+        <translation>⁨%1⁩ (في معظم التصادمات)</translation>
+    </message>
+    <message>
+        <source>The circles do not stop in a hit</source>
+        <translation>لا تتوقف الدائرتان في التصادم</translation>
+    </message>
+    <message>
+        <source>Each circle keeps its direction and gets the other&apos;s speed</source>
+        <translation>تحتفظ كل دائرة باتجاهها وتأخذ مقدار سرعة الأخرى</translation>
+    </message>
+    <message>
+        <source>A velocity has a direction, too: what changes hands is the whole part along the line of centres, not its length.</source>
+        <translation>للسرعة اتجاه أيضًا: ما يُتبادل هو المركّبة كاملةً على خط المركزين لا مقدارها.</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
+        <translation>قُذفت نحو كل جدار فنفذت منه %who؛ عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩. انظر هل يسأل برنامجك عن الجدران لأجل %who وهل يكون الجواب نعم أبدًا.</translation>
     </message>
 </context>
 <context>

@@ -1120,6 +1120,10 @@
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s, while the circles moved apart and the other one kept its own; it should stay as it was</source>
         <translation>In Schritt %1 änderte sich die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, während sich die Kreise voneinander entfernten und der andere seine behielt; sie soll bleiben, wie sie war</translation>
     </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged when its motion is right</source>
+        <translation>In Schritt %1, in dem er nichts berührt, bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m, und die Schwerkraft fügt höchstens %5 m hinzu. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -2587,16 +2591,16 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Ein glatter Kreis stößt nur längs der Verbindungslinie der Mittelpunkte.</translation>
     </message>
     <message>
-        <source>The pushes on the two circles are not equal and opposite</source>
-        <translation>Die Kraftstöße auf die beiden Kreise sind nicht gleich groß und entgegengesetzt</translation>
+        <source>The two pushes are not equal and opposite</source>
+        <translation>Die beiden Kraftstöße sind nicht gleich groß und entgegengesetzt</translation>
     </message>
     <message>
         <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
         <translation>Was ein Kreis der gleichen Masse gewinnt, verliert der andere: Sonst ändert sich der Gesamtimpuls.</translation>
     </message>
     <message>
-        <source>The push does not act along the line of centres alone</source>
-        <translation>Der Kraftstoß wirkt nicht allein längs der Verbindungslinie der Mittelpunkte</translation>
+        <source>The push is not along the line of centres</source>
+        <translation>Der Kraftstoß wirkt nicht längs der Verbindungslinie</translation>
     </message>
     <message>
         <source>The parts across it must stay as they were.</source>
@@ -3366,10 +3370,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Nach %1 s seines Laufs kam Kreis %2 bei %4 m mit %5 m/s an %3 an und lief erst einmal darüber hinaus.</translation>
     </message>
     <message>
-        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
-        <translation>Gegen jede geworfen, ging es hindurch (%who); an %1 mit %2 m/s. Sieh dir an, was nach der Bewegung gefragt wird und ob die Antwort je Ja ist.</translation>
-    </message>
-    <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
         <translation>Mit %2 m/s zu %1 geworfen, ging Kreis %3 darüber hinaus. Sieh dir an, was dein Programm dafür fragt und ob die Antwort je Ja ist.</translation>
     </message>
@@ -3674,8 +3674,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Mit einem Zeitschritt von %1 s ist der Kraftstoß %2-mal so groß, wie er sein soll, und mit %3 s etwa %4-mal.</translation>
     </message>
     <message>
-        <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
-        <translation>Kreis %1 verlässt einen Stoß, wie er soll, Kreis %2 nicht</translation>
+        <source>Only circle %1 leaves a hit as it should</source>
+        <translation>Nur Kreis %1 verlässt einen Stoß, wie er soll</translation>
     </message>
     <message>
         <source>Hits at the %walls take the part of %who along the normal away</source>
@@ -3690,8 +3690,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Manche Begegnungen werden zu spät beantwortet</translation>
     </message>
     <message>
-        <source>A hit changes the part of circle %1 across the line of centres</source>
-        <translation>Ein Stoß ändert den Anteil von Kreis %1 quer zur Verbindungslinie der Mittelpunkte</translation>
+        <source>Circle %1 does not keep its part across in a hit</source>
+        <translation>Kreis %1 behält im Stoß seinen Anteil quer nicht</translation>
     </message>
     <message>
         <source>From every start tried the two are at the same place one step later. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
@@ -4465,6 +4465,26 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
         <translation>An zwei Orten in Ruhe gestartet, ist der Kreis zwei Schritte später an ein und demselben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
+    </message>
+    <message>
+        <source>%1 (in most hits)</source>
+        <translation>%1 (bei den meisten Stößen)</translation>
+    </message>
+    <message>
+        <source>The circles do not stop in a hit</source>
+        <translation>Die Kreise bleiben im Stoß nicht stehen</translation>
+    </message>
+    <message>
+        <source>Each circle keeps its direction and gets the other&apos;s speed</source>
+        <translation>Jeder Kreis behält seine Richtung und bekommt das Tempo des anderen</translation>
+    </message>
+    <message>
+        <source>A velocity has a direction, too: what changes hands is the whole part along the line of centres, not its length.</source>
+        <translation>Eine Geschwindigkeit hat auch eine Richtung: Ausgetauscht wird der ganze Anteil längs der Verbindungslinie der Mittelpunkte, nicht sein Betrag.</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
+        <translation>Gegen jede geworfen, ging es hindurch (%who); an %1 mit %2 m/s. Sieh dir an, ob dein Programm dafür nach Wänden fragt (%who) und ob die Antwort je Ja ist.</translation>
     </message>
 </context>
 <context>

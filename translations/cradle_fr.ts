@@ -1120,6 +1120,10 @@
         <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s, while the circles moved apart and the other one kept its own; it should stay as it was</source>
         <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s, alors que les cercles s&apos;éloignaient l&apos;un de l&apos;autre et que l&apos;autre gardait la sienne&#xa0;; elle doit rester telle qu&apos;elle était</translation>
     </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged when its motion is right</source>
+        <translation>Au pas %1, où il ne touche rien, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m, et la pesanteur ajoute au plus %5 m. Les chocs seront jugés quand son mouvement sera juste</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -2695,16 +2699,16 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Un cercle lisse ne pousse que suivant la ligne des centres.</translation>
     </message>
     <message>
-        <source>The pushes on the two circles are not equal and opposite</source>
-        <translation>Les poussées sur les deux cercles ne sont pas égales et opposées</translation>
+        <source>The two pushes are not equal and opposite</source>
+        <translation>Les deux poussées ne sont pas égales et opposées</translation>
     </message>
     <message>
         <source>What one circle of the same mass gains, the other loses: else the total momentum changes.</source>
         <translation>À masse égale, ce que gagne un cercle, l&apos;autre le perd&#xa0;: sinon la quantité de mouvement totale change.</translation>
     </message>
     <message>
-        <source>The push does not act along the line of centres alone</source>
-        <translation>La poussée n&apos;agit pas seulement suivant la ligne des centres</translation>
+        <source>The push is not along the line of centres</source>
+        <translation>La poussée n&apos;est pas suivant la ligne des centres</translation>
     </message>
     <message>
         <source>The parts across it must stay as they were.</source>
@@ -3366,10 +3370,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Après %1 s de son exécution, le cercle %2 est arrivé contre %3 à %4 m, à %5 m/s, et a d&apos;abord continué au-delà.</translation>
     </message>
     <message>
-        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at what is asked after the move, and whether the answer is ever yes.</source>
-        <translation>Lancé contre chacune, on passe au travers (%who)&#xa0;; contre %1, à %2 m/s. Regardez ce qui est demandé après le déplacement, et si la réponse est parfois oui.</translation>
-    </message>
-    <message>
         <source>Thrown at the %1 with %2 m/s, circle %3 went on past it. Look at what your program asks for it, and whether the answer is ever yes.</source>
         <translation>Lancé vers %1 à %2 m/s, le cercle %3 a continué au-delà. Regardez ce que votre programme demande pour elle, et si la réponse est parfois oui.</translation>
     </message>
@@ -3674,8 +3674,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Avec un pas de temps de %1 s, la poussée vaut %2 fois ce qu&apos;elle devrait, et avec %3 s environ %4 fois.</translation>
     </message>
     <message>
-        <source>Circle %1 leaves a hit as it should, circle %2 does not</source>
-        <translation>Le cercle %1 repart d&apos;un choc comme il faut, le cercle %2 non</translation>
+        <source>Only circle %1 leaves a hit as it should</source>
+        <translation>Seul le cercle %1 repart d&apos;un choc comme il faut</translation>
     </message>
     <message>
         <source>Hits at the %walls take the part of %who along the normal away</source>
@@ -3690,8 +3690,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Certaines rencontres reçoivent une réponse trop tard</translation>
     </message>
     <message>
-        <source>A hit changes the part of circle %1 across the line of centres</source>
-        <translation>Un choc change la composante du cercle %1 perpendiculaire à la ligne des centres</translation>
+        <source>Circle %1 does not keep its part across in a hit</source>
+        <translation>Le cercle %1 ne garde pas sa composante perpendiculaire</translation>
     </message>
     <message>
         <source>From every start tried the two are at the same place one step later. Each circle has a place and a velocity of its own and goes on from those: look at what the lines for one take from the other.</source>
@@ -4465,6 +4465,26 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
         <translation>Parti au repos de deux positions, il est deux pas plus tard à une seule et même position. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
+    </message>
+    <message>
+        <source>%1 (in most hits)</source>
+        <translation>%1 (dans la plupart des chocs)</translation>
+    </message>
+    <message>
+        <source>The circles do not stop in a hit</source>
+        <translation>Les cercles ne s&apos;arrêtent pas dans un choc</translation>
+    </message>
+    <message>
+        <source>Each circle keeps its direction and gets the other&apos;s speed</source>
+        <translation>Chaque cercle garde sa direction et prend la vitesse de l&apos;autre en grandeur</translation>
+    </message>
+    <message>
+        <source>A velocity has a direction, too: what changes hands is the whole part along the line of centres, not its length.</source>
+        <translation>Une vitesse a aussi une direction&#xa0;: ce qui s&apos;échange est toute la composante suivant la ligne des centres, non sa longueur.</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
+        <translation>Lancé contre chacune, on passe au travers (%who)&#xa0;; contre %1, à %2 m/s. Regardez si votre programme demande ce qu&apos;il en est des parois (%who), et si la réponse est parfois oui.</translation>
     </message>
 </context>
 <context>

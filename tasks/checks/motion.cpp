@@ -74,16 +74,23 @@ std::optional<qint64> strayInTheOpen(const Observation &o, int i, Vec2 gravity)
     return 2 * stray > open ? first : std::nullopt;
 }
 
-Fault strayFault(const Observation &o, int i, qint64 k)
+Fault strayFault(const Observation &o, int i, qint64 k, Vec2 gravity)
 {
     const Circle &c = o.circle(i, k);
     const Vec2 moved = o.circle(i, k + 1).position - c.position;
     const Vec2 way = o.timestep() * c.velocity;
+    const Vec2 fall = o.timestep() * o.timestep() * gravity;
     const bool x = std::abs(moved.x - way.x) > std::abs(moved.y - way.y);
-    return {.message = MotionText::tr("At step %1, where it touches nothing, circle %2 moved by %3 "
-                                      "m; its velocity times the timestep is %4 m. Hits are judged "
-                                      "when its motion is right")
-                           .arg(QString::number(k + 1), QString::number(i + 1),
+    const QString text =
+        fall == Vec2{}
+            ? MotionText::tr("At step %1, where it touches nothing, circle %2 moved by %3 m; its "
+                             "velocity times the timestep is %4 m. Hits are judged when its motion "
+                             "is right")
+            : MotionText::tr("At step %1, where it touches nothing, circle %2 moved by %3 m; its "
+                             "velocity times the timestep is %4 m, and gravity adds at most %5 m. "
+                             "Hits are judged when its motion is right")
+                  .replace(QLatin1String("%5"), figure(fall));
+    return {.message = text.arg(QString::number(k + 1), QString::number(i + 1),
                                 figureBeside(moved, way), figureBeside(way, moved)),
             .expected = x ? way.x : way.y,
             .observed = x ? moved.x : moved.y,
@@ -158,7 +165,7 @@ std::optional<Fault> steadyFault(const Observation &o, int i, Vec2 gravity,
     if (const auto changed = changedInTheOpen(o, i, gravity, axis))
         return changedInOpen(o, i, *changed, gravity);
     const auto stray = strayInTheOpen(o, i, gravity);
-    return stray ? std::optional(strayFault(o, i, *stray)) : std::nullopt;
+    return stray ? std::optional(strayFault(o, i, *stray, gravity)) : std::nullopt;
 }
 
 double travel(const Observation &o, int i, qint64 k, Vec2 gravity)

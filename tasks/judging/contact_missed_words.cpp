@@ -26,9 +26,15 @@ DividedMeetings::DividedMeetings(const MeasuredPair &own, const MeasuredPair &ri
 
 bool DividedMeetings::isPushless(const PairHit &hit) const
 {
-    const std::vector<EqualHit> hits = comparableHits(m_own.equals, m_right.equals);
     if (hit.answered || answersRightly())
         return false;
+    const std::vector<EqualHit> hits = comparableHits(m_own.equals, m_right.equals);
+    // Equal circles that each keep their velocity with one e are noticed with all others.
+    const Meeting &m = hit.meeting;
+    const auto isMet = [](const PairHit &other) { return other.isMet(); };
+    if (!answersAny(m_own.equals) && m.radius1 == m.radius2 && m.density1 == m.density2)
+        return !m_own.rebounds.empty()
+               && std::all_of(m_own.rebounds.begin(), m_own.rebounds.end(), isMet);
     const PairVelocities &in = hit.meeting.velocities;
     const EqualHit here{hit, in, {in.along2, in.across1, in.along1, in.across2}};
     const auto laws = knownResponses();

@@ -40,6 +40,7 @@ enum class Topic {
     Direction,   ///< where a push points, or the line along which they come nearer
     Restitution, ///< what e does
     Distance,    ///< how far two circles are apart, not with what that is compared
+    Momentum,    ///< that the two pushes are not equal and opposite
 };
 
 /// One thing in which a program's law is not the one that is asked for.

@@ -185,7 +185,7 @@ std::vector<Sign> sizes()
 }
 
 /// Fewer may be chance.
-constexpr std::ptrdiff_t fewest = 2;
+constexpr std::ptrdiff_t fewestMeetings = 2;
 
 /// The division of \p all by the sign of a quantity, if that tells those that come out right from
 /// the others.
@@ -348,7 +348,7 @@ std::optional<MeetingDivision> divisionBy(const std::vector<JudgedMeeting> &meet
         all.emplace_back(*one.hit, one.isRight);
     const auto right =
         std::count_if(all.begin(), all.end(), [](const Thrown &one) { return one.isRight; });
-    if (right < fewest || std::ssize(all) - right < fewest)
+    if (right < fewestMeetings || std::ssize(all) - right < fewestMeetings)
         return std::nullopt;
     using Kind = MeetingDivision::Kind;
     std::optional<MeetingDivision> found;

@@ -272,6 +272,17 @@ private:
                                    .arg(all.join(QStringLiteral(", ")));
     }
 
+    /// Whether each keeps its velocity with e = 1, and they part with no other e either.
+    [[nodiscard]] bool isApproach() const
+    {
+        const auto none = [](double) { return -1.0; };
+        return every(m_elastic, &Rebound::first, none) && every(m_elastic, &Rebound::second, none)
+               && m_all[m_shown].first < -5.0 * blur
+               && std::all_of(m_all.begin(), m_all.end(), [](const Rebound &r) {
+                      return r.first < blur && std::abs(r.first - r.second) < blur;
+                  });
+    }
+
     void findNumbers()
     {
         const auto kept = [](double) { return 1.0; };
@@ -282,7 +293,8 @@ private:
         const double first = m_all.front().first;
         const double second = m_all.front().second;
         const auto fixed = [](double value) { return [value](double) { return value; }; };
-        if (m_all.size() < 2 || !across || !isLaw(fixed(first), fixed(second))) {
+        const bool isNear = across && isApproach();
+        if (!isNear && (m_all.size() < 2 || !across || !isLaw(fixed(first), fixed(second)))) {
             // What is wrong already where e is 1 has been named; it hides what e does.
             if (m_isElastic)
                 addOdd();
@@ -291,9 +303,9 @@ private:
         const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
         if (std::abs(first - second) < blur) {
             // A law without any rebound is one of its own.
-            if (std::abs(first) < blur)
+            if (!isNear && std::abs(first) < blur)
                 return;
-            if (first < -blur)
+            if (isNear || first < -blur)
                 add(ReboundText::tr("After a hit the circles still run into each other"));
             else if (first > 1.0 + blur)
                 add(ReboundText::tr("After a hit the circles part faster than they met"));

@@ -101,9 +101,7 @@ private:
         if (std::all_of(hits.begin(), hits.end(), [](const EqualHit &h) {
                 return isSameAnswer(h.right, PairVelocities{});
             })) {
-            add(ResponseText::tr("Not every hit stops both circles"), describeEquals(hit, right),
-                hit);
-            m_reading.said->isOfSome = true;
+            findStops(hits, hit, right);
             return;
         }
         for (const ResponseLaw &law : knownResponses()) {
@@ -115,6 +113,19 @@ private:
             return;
         }
         findParts(hits, hit, right);
+    }
+
+    /// Both should stop, and do not always.
+    void findStops(const std::vector<EqualHit> &hits, const PairHit &hit, const PairHit &right)
+    {
+        const auto moves = [](const EqualHit &h) {
+            return !isSameAnswer(h.hit.leftParts(), PairVelocities{});
+        };
+        const bool isNever = std::all_of(hits.begin(), hits.end(), moves);
+        add(isNever ? ResponseText::tr("The circles do not stop in a hit")
+                    : ResponseText::tr("Not every hit stops both circles"),
+            describeEquals(hit, right), hit);
+        m_reading.said->isOfSome = !isNever;
     }
 
     /// No law that is known: which of the things that a hit keeps does it not keep?
@@ -145,13 +156,9 @@ private:
         };
         if (along)
             add(keeps(&PairVelocities::across1)
-                    ? ResponseText::tr("A hit changes the part of circle %1 across the line of "
-                                       "centres")
-                          .arg(2)
+                    ? ResponseText::tr("Circle %1 does not keep its part across in a hit").arg(2)
                 : keeps(&PairVelocities::across2)
-                    ? ResponseText::tr("A hit changes the part of circle %1 across the line of "
-                                       "centres")
-                          .arg(1)
+                    ? ResponseText::tr("Circle %1 does not keep its part across in a hit").arg(1)
                     : ResponseText::tr("The parts across the line of centres are changed"),
                 describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("A smooth circle pushes along the line of centres only."),
@@ -160,20 +167,20 @@ private:
             return; // massDeviations() says so
         else if (const std::vector<int> wrong = wrongIn(hits); !momentum && wrong.size() == 1)
             add(m_own.radii.empty() && m_own.densities.empty()
-                    ? ResponseText::tr("Circle %1 leaves a hit as it should, circle %2 does not")
+                    ? ResponseText::tr("Only circle %1 leaves a hit as it should")
                           .arg(2 - wrong.front())
-                          .arg(wrong.front() + 1)
                     : ResponseText::tr("Of two equal circles only circle %1 leaves as it should")
                           .arg(2 - wrong.front()),
                 describeEquals(hit, right) + lawOfPart(hits, wrong.front()), hit);
-        else if (!momentum)
-            add(ResponseText::tr("The pushes on the two circles are not equal and opposite"),
+        else if (!momentum) {
+            add(ResponseText::tr("The two pushes are not equal and opposite"),
                 describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("What one circle of the same mass gains, the other loses: "
                                        "else the total momentum changes."),
                 hit);
-        else if (!across)
-            add(ResponseText::tr("The push does not act along the line of centres alone"),
+            m_reading.said->topic = Topic::Momentum;
+        } else if (!across)
+            add(ResponseText::tr("The push is not along the line of centres"),
                 describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("The parts across it must stay as they were."),
                 hit);

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -101,6 +102,18 @@ std::vector<ResponseLaw> exchangeLaws()
          },
          ResponseLawText::tr("The parts across change hands, and those along the normal stay"),
          along},
+        {[](Hit h) {
+             const double speed1 = std::hypot(h.in.along1, h.in.across1);
+             const double speed2 = std::hypot(h.in.along2, h.in.across2);
+             // Who rests has no direction, and stays.
+             const double one = speed1 > 0.0 ? speed2 / speed1 : 0.0;
+             const double two = speed2 > 0.0 ? speed1 / speed2 : 0.0;
+             return PairVelocities{one * h.in.along1, one * h.in.across1, two * h.in.along2,
+                                   two * h.in.across2};
+         },
+         ResponseLawText::tr("Each circle keeps its direction and gets the other's speed"),
+         ResponseLawText::tr("A velocity has a direction, too: what changes hands is the whole "
+                             "part along the line of centres, not its length.")},
         {[](Hit h) {
              return PairVelocities{h.in.along2, 0, h.in.along1, 0};
          },

@@ -116,11 +116,13 @@ private:
         if (!m_equal.isRight || !hit)
             return;
         const Meeting &m = hit->meeting;
-        const bool isLossy = m.restitution != m_own.equals.front().meeting.restitution;
+        // Where equal circles keep their velocities without losses, nothing is known of them.
+        const bool isOfE = m.restitution != m_own.equals.front().meeting.restitution
+                           || comparableHits(m_own.equals, m_right.equals).empty();
         take(responseDeviation(
-            isLossy ? ResponseText::tr("With e = %1 a hit does not come out right")
-                          .arg(brief(m.restitution))
-                    : ResponseText::tr("Equal circles answer rightly, not all unequal ones do"),
+            isOfE ? ResponseText::tr("With e = %1 a hit does not come out right")
+                        .arg(brief(m.restitution))
+                  : ResponseText::tr("Equal circles answer rightly, not all unequal ones do"),
             ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
                     .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
                          brief(m.restitution))

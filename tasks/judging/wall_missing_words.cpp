@@ -128,8 +128,9 @@ private:
         LawDeviation found =
             isAll ? deviation(WallText::tr("At every wall %who went out"),
                               WallText::tr("Thrown at each of them, %who went on through it; at "
-                                           "the %1 with %2 m/s. Look at what is asked after the "
-                                           "move, and whether the answer is ever yes.")
+                                           "the %1 with %2 m/s. Look at whether your program asks "
+                                           "about walls for %who, and whether the answer is ever "
+                                           "yes.")
                                   .arg(motion::wallName(hit.wall), brief(thrown(hit))),
                               as(hit), whose, Suspect::Omission)
                   : deviation(WallText::tr("At the %walls %who went out"),

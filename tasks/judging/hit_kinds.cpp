@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/hit_kinds.h"
+
+#include "tasks/judging/contact_comparison.h"
+#include "tasks/judging/response_law_words.h"
+#include "tasks/judging/response_reading.h"
+
+#include <cmath>
+
+namespace cradle {
+
+namespace {
+
+bool isEqual(const Meeting &m)
+{
+    return m.radius1 == m.radius2 && m.density1 == m.density2;
+}
+
+bool areRightOfEquals(const std::vector<JudgedMeeting> &hits)
+{
+    return std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
+        return one.isRight || !isEqual(one.hit->meeting);
+    });
+}
+
+std::ptrdiff_t rightOf(const std::vector<JudgedMeeting> &hits)
+{
+    return std::count_if(hits.begin(), hits.end(),
+                         [](const JudgedMeeting &one) { return one.isRight; });
+}
+
+QString countOf(const std::vector<JudgedMeeting> &hits,
+                const std::optional<MeetingDivision> &division)
+{
+    const auto right = static_cast<int>(rightOf(hits));
+    const QString all = QString::number(hits.size());
+    return QLatin1Char(' ')
+           + (division
+                  ? ConditionText::tr("Of %1 hits tried, %n came out right: %2.", nullptr, right)
+                        .arg(all, division->phrase)
+                  : ConditionText::tr("Of %1 hits tried, %n came out right.", nullptr, right)
+                        .arg(all));
+}
+
+/// Whether what one of two equal circles gains the other loses.
+bool areOpposite(const PairHit &hit)
+{
+    return length(hit.push1() + hit.push2()) < 5e-3 * (1.0 + length(hit.push1()));
+}
+
+} // namespace
+
+bool HitKinds::areOfSide() const
+{
+    const auto division = divisionBy(kinds());
+    return division && division->kind == MeetingDivision::Kind::Side;
+}
+
+bool isSameAnswerTo(const PairHit &hit, const PairVelocities &a, const PairVelocities &b)
+{
+    constexpr double blur = 3e-3; // the line of centres turns a little in a step
+    const double slack = blur * std::abs(hit.meeting.closing());
+    return std::abs(a.along1 - b.along1) < slack && std::abs(a.across1 - b.across1) < slack
+           && std::abs(a.along2 - b.along2) < slack && std::abs(a.across2 - b.across2) < slack;
+}
+
+/// The hits of all kinds that can be judged.
+HitKinds::Kinds HitKinds::kinds() const
+{
+    const std::vector<PairHit> &own = m_own.pairAnswers();
+    const std::vector<PairHit> &right = m_right.pairAnswers();
+    Kinds all;
+    for (std::size_t i = 0; own.size() == right.size() && i < own.size(); ++i) {
+        if (own[i].isMet() && own[i].isAligned() && right[i].isMet() && right[i].isAligned())
+            all.push_back({&own[i], isSameAnswerTo(own[i], own[i].leftParts(),
+                                                   rightFor(own[i].cameParts(), right[i]))});
+    }
+    return all;
+}
+
+const PairHit &HitKinds::goodOf(const PairHit &hit) const
+{
+    const auto at = static_cast<std::size_t>(&hit - m_own.pairAnswers().data());
+    return m_right.pairAnswers()[at];
+}
+
+bool HitKinds::areEqualsRight() const
+{
+    const auto hits = comparableHits(m_own.pair().equals, m_right.pair().equals);
+    return std::all_of(hits.begin(), hits.end(), [](const EqualHit &one) {
+        return isSameAnswer(one.hit.leftParts(), one.right);
+    });
+}
+
+/// \p hits beside the right answers to them.
+std::vector<EqualHit> HitKinds::besideRight(const Kinds &hits) const
+{
+    std::vector<EqualHit> all;
+    for (const JudgedMeeting &one : hits) {
+        const PairVelocities in = one.hit->cameParts();
+        all.push_back({*one.hit, in, rightFor(in, goodOf(*one.hit))});
+    }
+    return all;
+}
+
+/// Whether a law that was found of equal circles holds for all of \p hits.
+bool HitKinds::isLawOf(const Kinds &hits) const
+{
+    const std::vector<EqualHit> all = besideRight(hits);
+    const QString &said = m_said.deviations.front().message;
+    for (const int circle : {0, 1}) {
+        const QString law = lawOfPart(all, circle);
+        if (!law.isEmpty() && said.contains(law))
+            return true;
+    }
+    const auto laws = knownResponses();
+    return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
+        return said.startsWith(law.headline + QLatin1Char('\n')) && follows(law, all);
+    });
+}
+
+/// Whether what was found is that masses grow with some powers, and all of \p hits are so.
+bool HitKinds::areMasses(const Kinds &hits) const
+{
+    if (m_said.deviations.front().suspect != Suspect::Masses)
+        return false;
+    const MassExponents p(m_own.pair());
+    return (p.radius || p.density)
+           && std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
+                  const auto heavy = massRatio(*one.hit);
+                  return heavy && std::abs(*heavy / p.ratioOf(one.hit->meeting) - 1.0) < 0.05;
+              });
+}
+
+/// Whether what was found is that one circle leaves as it should, and it does in \p hit.
+bool HitKinds::isOfOneCircle(const PairHit &hit) const
+{
+    const LawDeviation &found = m_said.deviations.front();
+    if (found.suspect != Suspect::Answer || found.moment.circles.size() != 1)
+        return false;
+    const bool isFirstWrong = found.moment.circles.front() == 0;
+    const PairVelocities good = rightFor(hit.cameParts(), goodOf(hit));
+    PairVelocities seen = hit.leftParts();
+    (isFirstWrong ? seen.along1 : seen.along2) = isFirstWrong ? good.along1 : good.along2;
+    (isFirstWrong ? seen.across1 : seen.across2) = isFirstWrong ? good.across1 : good.across2;
+    return isSameAnswerTo(hit, seen, good);
+}
+
+/// Whether what was found, which is no law of all \p hits of equal circles, is so in most of them.
+bool HitKinds::isOfMost(const Kinds &hits) const
+{
+    const LawDeviation &found = m_said.deviations.front();
+    const auto isSo = [&](const JudgedMeeting &one) {
+        const PairHit &hit = *one.hit;
+        return !one.isRight
+               && (found.topic == Topic::Momentum ? !areOpposite(hit) : isOfOneCircle(hit));
+    };
+    return 2 * std::count_if(hits.begin(), hits.end(), isSo) > std::ssize(hits);
+}
+
+/// Tells of what was found in how many of \p hits it is, where it is not in all.
+void HitKinds::limit(const Kinds &hits)
+{
+    LawDeviation &found = m_said.deviations.front();
+    const qsizetype end = found.message.indexOf(QLatin1Char('\n'));
+    found.message = (isOfMost(hits) ? ConditionText::tr("%1 (in most hits)")
+                                    : ConditionText::tr("%1 (in some hits)"))
+                        .arg(found.message.left(end))
+                    + found.message.mid(end);
+}
+
+/// Whether what was found of two sizes is of masses, and all of \p hits follow some masses, but
+/// not those; the headline is then that of no power.
+bool HitKinds::areOtherMasses(const Kinds &hits)
+{
+    LawDeviation &found = m_said.deviations.front();
+    if (found.suspect != Suspect::Masses || m_ground.pair.densities.isVaried()
+        || !std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
+               const double closing = std::abs(one.hit->meeting.closing());
+               return massRatio(*one.hit)
+                      && std::abs(one.hit->rebound() - one.hit->meeting.restitution) * closing
+                             < 0.01;
+           }))
+        return false;
+    found.message = ConditionText::tr("The masses do not follow the radii as those of balls do")
+                    + found.message.mid(found.message.indexOf(QLatin1Char('\n')));
+    return true;
+}
+
+std::vector<LawDeviation> HitKinds::judge(std::vector<LawDeviation> given)
+{
+    m_said.deviations = std::move(given);
+    judge();
+    return std::move(m_said.deviations);
+}
+
+void HitKinds::judge()
+{
+    std::vector<LawDeviation> &found = m_said.deviations;
+    if (!found.empty() && found.front().topic == Topic::Restitution)
+        return;
+    Kinds all = kinds();
+    // All of these are first hits: what is wrong with them was not kept.
+    const bool isOfMemory =
+        !found.empty()
+        && (found.front().suspect == Suspect::Kept || found.front().suspect == Suspect::Copy);
+    if (isOfMemory && rightOf(all) < std::ssize(all))
+        found.clear();
+    if (!found.empty()) {
+        const double e = m_own.pair().equals.front().meeting.restitution;
+        std::erase_if(all,
+                      [&](const JudgedMeeting &one) { return one.hit->meeting.restitution != e; });
+    }
+    // What is said of masses holds where they differ.
+    const bool isOfMasses = !found.empty() && areEqualsRight();
+    Kinds hits = all;
+    if (!found.empty())
+        std::erase_if(hits, [&](const JudgedMeeting &one) {
+            return isEqual(one.hit->meeting) == isOfMasses;
+        });
+    const auto right = rightOf(hits);
+    if (right == std::ssize(hits) || (!found.empty() && (right == 0 || areMasses(hits))))
+        return;
+    const auto isOne = [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); };
+    if (isOfMasses && areRightOfEquals(all)
+        && (std::all_of(all.begin(), all.end(), isOne) || areOtherMasses(hits))) {
+        found.resize(1);
+        found.front().message += countOf(hits, std::nullopt);
+        return;
+    }
+    const bool isLaw = !found.empty() && isLawOf(hits);
+    const auto division = isLaw ? std::nullopt : divisionBy(all);
+    if (!found.empty() && !division && !isOfMasses) {
+        if (!isLaw && !found.front().isOfSome)
+            limit(hits);
+        found.front().message += countOf(hits, std::nullopt);
+        return;
+    }
+    found = {kindsDeviation(all, division)};
+}
+
+/// A known answer that all of \p hits follow, and those of equal circles.
+std::optional<ResponseLaw> HitKinds::lawOf(const Kinds &hits) const
+{
+    const std::vector<EqualHit> all = besideRight(hits);
+    const std::vector<EqualHit> equals = comparableHits(m_own.pair().equals, m_right.pair().equals);
+    for (const ResponseLaw &law : knownResponses()) {
+        if (follows(law, all) && follows(law, equals))
+            return law;
+    }
+    return std::nullopt;
+}
+
+LawDeviation HitKinds::kindsDeviation(const Kinds &all,
+                                      const std::optional<MeetingDivision> &division) const
+{
+    const auto wrong =
+        std::find_if(all.begin(), all.end(), [](const JudgedMeeting &one) { return !one.isRight; });
+    const PairHit &hit = *wrong->hit;
+    const auto law = lawOf(all);
+    const QString seen = ConditionText::tr("This one came out wrong: %1.")
+                             .arg(describeMeeting(hit, m_ground, division))
+                         + QLatin1Char(' ') + describeHit(hit, goodOf(hit));
+    if (law)
+        return responseDeviation(law->headline, seen + QLatin1Char(' ') + law->body, hit);
+    LawDeviation said = responseDeviation(
+        rightOf(all) == 0 ? ConditionText::tr("No hit that was tried comes out right")
+                          : ConditionText::tr("Some hits of the two circles come out wrong"),
+        seen + countOf(all, division), hit, Suspect::Formula);
+    said.isConditional = true;
+    if (division && division->kind == MeetingDivision::Kind::Side)
+        said.topic = Topic::Direction;
+    return said;
+}
+
+} // namespace cradle

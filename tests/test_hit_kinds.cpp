@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/law_programs.h"
+
+#include "tasks/judging/condition_words.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+
+/// What is said of hits holds for those of many kinds, or tells for how many.
+class TestHitKinds : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void headlineTellsForHowMany_data();
+    void headlineTellsForHowMany();
+    void hitThatKeepsVelocitiesIsNotMissed_data();
+    void hitThatKeepsVelocitiesIsNotMissed();
+};
+
+namespace {
+
+QString text(const char *utf8)
+{
+    return QString::fromUtf8(utf8);
+}
+
+/// What is said of the contact and the response of a program with that hit.
+QStringList said(const LawBench &bench, const HitLaw &law)
+{
+    const QString program =
+        written({.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hitOf(hitWays[1], law)},
+                structures[1]);
+    const MeasuredLaws own(&program, bench.ground);
+    QStringList all;
+    for (const auto &[aspect, found] :
+         {std::pair(Aspect::Contact,
+                    contactDeviations(own.pair(), bench.right.pair(), bench.ground)),
+          std::pair(Aspect::Response,
+                    responseDeviations(own.pair(), bench.right.pair(), bench.ground))})
+        for (const LawDeviation &one :
+             conditioned(aspect, found, own, bench.right, bench.ground, {}).deviations)
+            all.append(one.message.section(QLatin1Char('\n'), 0, 0));
+    return all;
+}
+
+} // namespace
+
+void TestHitKinds::headlineTellsForHowMany_data()
+{
+    QTest::addColumn<QByteArray>("step");
+    QTest::addColumn<QString>("answer");
+    QTest::addColumn<QString>("headline");
+    const auto row = [](const char *name, const char *step, const char *answer,
+                        const char *headline) {
+        QTest::addRow("%s", name) << QByteArray(step) << text(answer) << text(headline);
+    };
+    row("both get the sum where they should get the other's", "L42T10",
+        "local sum = p.velocity + q.velocity "
+        "p.velocity, q.velocity = sum - 0.5 * p.velocity, sum - 0.5 * q.velocity",
+        "The two pushes are not equal and opposite");
+    row("across of circle 1 from circle 2", "L42T12",
+        "local t = vec(-n.y, n.x) local a = p.velocity:dot(n) "
+        "p.velocity = q.velocity:dot(n) * n + q.velocity:dot(t) * t "
+        "q.velocity = a * n + q.velocity:dot(t) * t",
+        "Circle 1 does not keep its part across in a hit (in most hits)");
+    row("speeds change hands", "L42T10",
+        "local one, two = p.velocity:length(), q.velocity:length() "
+        "p.velocity, q.velocity = p.velocity:normalized() * two, q.velocity:normalized() * one",
+        "Each circle keeps its direction and gets the other's speed");
+    row("half the velocity", "L42T9", "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity",
+        "The circles do not stop in a hit");
+    row("stops upward", "L42T9",
+        "if p.velocity.y > 0 then p.velocity, q.velocity = vec(0, 0), vec(0, 0) else "
+        "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity end",
+        "Some hits of the two circles come out wrong");
+}
+
+void TestHitKinds::headlineTellsForHowMany()
+{
+    QFETCH(QByteArray, step);
+    QFETCH(QString, answer);
+    QFETCH(QString, headline);
+    const LawBench bench(task(QLatin1String(step)));
+    QCOMPARE(said(bench, {.mass = text("1"), .answer = answer}), QStringList(headline));
+}
+
+void TestHitKinds::hitThatKeepsVelocitiesIsNotMissed_data()
+{
+    QTest::addColumn<QString>("after");
+    QTest::addColumn<QString>("headline");
+    QTest::newRow("sign of the rebound")
+        << text("-e * closing") << text("The sign of e is wrong in the hit of two circles");
+    QTest::newRow("small, and of that sign")
+        << text("-e ^ 4 * closing") << text("After a hit the circles still run into each other");
+}
+
+/// With e = 1 equal circles keep their velocities: nothing of that is a contact.
+void TestHitKinds::hitThatKeepsVelocitiesIsNotMissed()
+{
+    QFETCH(QString, after);
+    QFETCH(QString, headline);
+    const HitLaw law{.e = text("restitution"),
+                     .answer = text("local j = (closing + %1) / (1 / m1 + 1 / m2) "
+                                    "p.velocity = p.velocity - j / m1 * n "
+                                    "q.velocity = q.velocity + j / m2 * n")
+                                   .arg(after)};
+    const LawBench bench(task(text("L42T16")));
+    QCOMPARE(said(bench, law), QStringList(headline));
+}
+
+QTEST_GUILESS_MAIN(TestHitKinds)
+#include "test_hit_kinds.moc"
