@@ -23,6 +23,7 @@ class TestApprovedHanded : public QObject
     Q_OBJECT
 private slots:
     void classesAreUnderstoodAsApproved();
+    void platformsAreReadAsApproved();
     void foldersAreReadAsApproved();
     void requestsAreReadWholeOrNotAtAll();
 };
@@ -181,12 +182,112 @@ void TestApprovedHanded::classesAreUnderstoodAsApproved()
         made.file("steps/L1.lua");
         made.file("lab.lua");
     });
+    const auto row = [](const char *folder, const char *id, const char *name, const char *number,
+                        double lateDays = 0.0) {
+        return RosterRow{.folder = text(folder),
+                         .id = text(id),
+                         .name = text(name),
+                         .number = text(number),
+                         .email = text(name) + text("@school.org"),
+                         .lateDays = lateDays};
+    };
+    const std::vector<RosterRow> roster{
+        row("ada", "a1", "Ada Lovelace", "0042"), row("bob", "", "Bob", "1", 2.5),
+        row("", "ada1", "Ada", "1234567"),        row("", "Cy", "", "14"),
+        row("nowhere", "zed", "Zed", ""),         row("", "boole", "George", "11", 1.0),
+        row("max/", "max", "Max", "7"),           row("rob.lua", "rob", "Rob", "0042")};
+    add("folders, with a roster", addFolders, roster);
+    add("downloads, with a roster", addDownloads, roster);
+    add("clones, with a roster", addClones, roster);
+    for (const int others : {1, 2, 3}) {
+        const Made made;
+        addDownloads(made);
+        made.file("Lab_4_ada_l_attempt_2026-11-02-10-15-30_lab.lua");
+        made.file("Lab_4_bob_attempt_2026-11-02-10-15-30_lab.lua");
+        for (int i = 0; i < others; ++i)
+            made.file("other" + QByteArray::number(i) + "/L1.lua");
+        all += QStringLiteral("== downloads and %1 folders\n").arg(others)
+               + told(made, {row("", "ada_l", "Ada", "3")});
+    }
+    for (const int others : {0, 1, 2}) {
+        const Made made;
+        made.file("1/Ada_1_assignsubmission_file_/L1.lua");
+        made.file("1/Bob_2_assignsubmission_file_/L2.lua");
+        for (int i = 0; i < others; ++i)
+            made.file("1/other" + QByteArray::number(i) + "/L1.lua");
+        all += QStringLiteral("== two of Moodle and %1\n").arg(others) + told(made);
+    }
+    add("GitHub Classroom", [](const Made &made) {
+        made.file("lab-submissions/lab-ada/steps/L1.lua");
+        made.file("lab-submissions/lab-/steps/L1.lua");
+        made.file("lab-submissions/other/steps/L2.lua");
+    });
     add("nobody", [](const Made &made) { made.file("readme.txt"); });
     add("one folder in another", [](const Made &made) {
         made.file("down/further/ada/L1.lua");
         made.file("down/further/bob/L2.lua");
     });
     compare("classes.txt", all);
+}
+
+void TestApprovedHanded::platformsAreReadAsApproved()
+{
+    QString all;
+    for (const char *name : {"Ada_1_assignsubmission_file_",
+                             "Ada_1_assignsubmission_file_L1.lua",
+                             "Ada_1_assignsubmission_file",
+                             "Ada_1_assignsubmission_onlinetext_x.html",
+                             "_1_assignsubmission_file_",
+                             "Ada_x_assignsubmission_file_",
+                             "ada_10_20_L1.lua",
+                             "ada_LATE_10_20_L1.lua",
+                             "ada_late_10_20_L1.lua",
+                             "ada_10_20_",
+                             "ada_10_L1.lua",
+                             "a_b_10_20_L1.lua",
+                             "_10_20_L1.lua",
+                             "Lab_ada_attempt_2026-05-01-12-30-00_lab.lua",
+                             "Lab_ada_attempt_2026-05-01-12-30-00.txt",
+                             "Lab_ada_attempt_2026-05-01-12-30-00.lua",
+                             "Lab_ada_attempt_2026-05-01-12-30_lab.lua",
+                             "_ada_attempt_2026-05-01-12-30-00",
+                             "ada_attempt_2026-05-01-12-30-00_lab.lua",
+                             "lab-ada",
+                             ""}) {
+        for (const bool isFolder : {false, true}) {
+            const auto read = platformName(text(name), isFolder);
+            all += QStringLiteral("%1, folder %2: ").arg(text(name)).arg(isFolder);
+            all += read ? QStringLiteral("%1 | %2 | %3 | %4 | %5 | %6 | late %7\n")
+                              .arg(platformText(read->platform), read->student, read->number,
+                                   read->assignment, read->attempt, read->file)
+                              .arg(read->late)
+                        : text("–\n");
+        }
+    }
+    const QStringList classes[] = {{text("Lab_4_ada")},
+                                   {text("Lab 4_ada")},
+                                   {text("Lab_4_ada_l"), text("Lab_4_bob"), text("Lab_4_bob")},
+                                   {text("Lab_ada_l"), text("Lab_ada_m")},
+                                   {text("a_b"), text("c_d_e")},
+                                   {text("Lab_"), text("Lab_x")},
+                                   {text("ada"), text("bob")}};
+    for (const QStringList &heads : classes) {
+        for (const QSet<QString> &known :
+             {QSet<QString>{}, {text("ada"), text("ada_l")}, {text("bob"), text("l"), text("e")}}) {
+            const BlackboardAccounts found = blackboardAccounts(heads, known);
+            all += heads.join(u' ')
+                   + QStringLiteral(" of %1: \"%2\", guess %3")
+                         .arg(known.size())
+                         .arg(found.common)
+                         .arg(found.isGuess);
+            for (const QString &head : heads)
+                all += u' ' + found.byHead.value(head);
+            all += u'\n';
+        }
+    }
+    for (const char *name : {"Moodle", "Canvas", "Blackboard", "GitHub", "moodle", ""})
+        all += QStringLiteral("%1 %2\n").arg(text(name)).arg(int(platformFrom(text(name))));
+    compare("platforms.txt", all);
 }
 
 void TestApprovedHanded::foldersAreReadAsApproved()

@@ -42,6 +42,8 @@ void TestDeviation::numbersAreBrief_data()
     QTest::newRow("small, without exponent") << -4.5e-5 << QStringLiteral("-0.000045");
     // 9.81/60 = 0.1635 lies between two figures.
     QTest::newRow("between two figures") << 0.1635 - 1e-12 << QStringLiteral("0.164");
+    QTest::newRow("as near as noise comes") << 0.1635 * (1.0 - 0.5e-9) << QStringLiteral("0.164");
+    QTest::newRow("below") << 0.1635 * (1.0 - 5e-9) << QStringLiteral("0.163");
     QTest::newRow("nearly a thousand") << 999.7 << QStringLiteral("1000");
     QTest::newRow("a little") << 2.34e-5 << QStringLiteral("0.000023");
     QTest::newRow("hardly anything") << 2e-8 << QStringLiteral("0");

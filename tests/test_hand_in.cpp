@@ -83,6 +83,18 @@ void TestHandIn::sameWorkMakesTheSameFile()
 void TestHandIn::plainFolderWillDo()
 {
     QVERIFY(!makeFolder(path("plain/steps")));
+    QVERIFY(!writeFile(path("plain/answers.json"), R"({"BALL1": {"why": "It falls."}})"));
+    QVERIFY(!writeFile(
+        path("plain/predictions.json"),
+        R"({"BALL1": {"answer": 1, "watched": true}, "BALL2": {"answer": -2, "revealed": true}})"));
+    const auto read = readWork(path("plain"), m_lab);
+    QVERIFY(read);
+    QCOMPARE(read->step(QStringLiteral("BALL1")).answers.value(QStringLiteral("why")).toString(),
+             QStringLiteral("It falls."));
+    QVERIFY((read->step(QStringLiteral("BALL1")).guess == Guess{.answer = 1, .watched = true}));
+    QVERIFY((read->step(QStringLiteral("BALL2")).guess == Guess{.revealed = true}));
+    QVERIFY(read->step(QStringLiteral("BALL3")).guess == Guess{});
+    QVERIFY(!read->step(QStringLiteral("nowhere")).program);
     QVERIFY(!writeFile(path("plain/steps/BALL1.lua"), m_lab.tasks[0].solution.toUtf8()));
     const auto handIn = gatherHandIn(m_lab, path("plain"), {}, 1, m_when);
     QVERIFY(handIn);

@@ -238,6 +238,9 @@ void TestSimilarPrograms::sharedLinesAreThoseOfTheCopy()
     QVERIFY(shared.first.lines.front() > static_cast<int>(host.count(QLatin1Char('\n'))));
     QVERIFY(shared.second.lines.size() > 15);
     QVERIFY(shared.second.lines.back() <= static_cast<int>(own.count(QLatin1Char('\n'))));
+    // What both have of the lab is nobody's.
+    const StudentResult given = studentWith(host);
+    QVERIFY(similar.sharedLines(given, given).first.lines.empty());
 }
 
 /// Six share some twenty lines; of these two share more, which alone is shown.

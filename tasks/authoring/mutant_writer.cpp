@@ -59,10 +59,8 @@ std::size_t MutantWriter::afterOperand(std::size_t i) const
     while (const ProgramToken *next = at(i)) {
         if (next->is("(") || next->is("[")) {
             i = afterGroup(i);
-        } else if ((next->is(".") || next->is(":")) && at(i + 1)) {
-            i += 2;
-        } else if (next->is("^") && at(i + 1)) {
-            i += 2;
+        } else if (next->is(".") || next->is(":") || next->is("^")) {
+            i += 2; // of a program that can be read, a name or an operand follows
         } else {
             break;
         }

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/program_rows.h"
+#include "tasks/judging/telling_lines.h"
+
+#include <QTest>
+
+using namespace cradle;
+
+/// The line whose text alone tells that it is to blame, by what is said of a program.
+class TestTellingLines : public QObject
+{
+    Q_OBJECT
+private slots:
+    void lineIsTold_data();
+    void lineIsTold();
+    void linesWithRestitutionComeAlone_data();
+    void linesWithRestitutionComeAlone();
+};
+
+void TestTellingLines::lineIsTold_data()
+{
+    QTest::addColumn<int>("suspect");
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<int>("line");
+    const auto row = [](const char *name, Suspect suspect, const char *program, int line) {
+        QTest::newRow(name) << int(suspect) << QString::fromUtf8(program) << line;
+    };
+    const Suspect masses = Suspect::Masses;
+    row("a mass", masses, "a = 1\nm1 = c.density * c.radius ^ 2\nm2 = b\nprint(m1, m2, a)", 2);
+    row("the first line", masses, "m1 = c.density * c.radius ^ 2\nprint(m1)", 1);
+    row("most worked out", masses,
+        "m1 = c.density * c.radius\nm2 = c.density * pi * c.radius ^ 2\nprint(m1, m2)", 2);
+    row("the first of two alike", masses,
+        "m1 = a.density * a.radius ^ 3\nm2 = b.density * b.radius ^ 3\nprint(m1, m2)", 1);
+    row("without density or power", masses, "r = a.radius + b.radius\nd = r * 2\nprint(d)", 0);
+    row("comparison", masses, "if a.radius ^ 2 < b.radius ^ 2 then x = 1 end", 0);
+    row("velocity", masses, "a.velocity = a.velocity * a.density * a.radius ^ 3", 0);
+    row("copies", masses,
+        "local r = c.radius\nlocal rho = c.density\nlocal m = rho * r * r\nprint(m)", 3);
+    row("nobody calls it", masses,
+        "function unused()\n  return c.density * c.radius ^ 3\nend\nk = c.density * "
+        "c.radius\nprint(k)",
+        4);
+    row("nobody calls the next", masses,
+        "k = c.density * c.radius\nfunction unused()\n  m = c.density * c.radius ^ "
+        "3\nend\nprint(k)",
+        1);
+    row("nobody calls a named one", masses, "function unused()\n  m1 = 2\nend\nm2 = 3\nprint(m2)",
+        4);
+    row("named", masses, "a = 1\nm1 = 2\nprint(a, m1)", 2);
+    row("named in words", masses, "mass_a = 2\nprint(mass_a)", 1);
+    row("named like one", masses, "most = 2\nprint(most)", 0);
+    row("two named", masses, "m1 = 2\nx = 3\nm2 = x\nprint(m1, m2, x)", 0);
+    row("two on a line", masses, "x = 1\nm1, m2 = 2, 3\nprint(x, m1, m2)", 2);
+    row("worked out of masses", masses, "m1 = 2\nmass = m1 + 1\nprint(mass, m1)", 1);
+    row("copy of e", Suspect::Copy, "x = 1\nlocal e = restitution\ny = e", 2);
+    row("copy of gravity's part", Suspect::Copy, "  g = gravity.y", 1);
+    row("more than a copy", Suspect::Copy, "g = gravity.y * 2\nh = gravitation", 0);
+    row("kept, or worked out", Suspect::Kept, "x = 1\nn = n or f()\nprint(n, x)", 2);
+    row("another or", Suspect::Kept, "n = k or f()", 0);
+    row("if there is none", Suspect::Kept, "x = 1\nif not memo.e then\nmemo.e = 2\nend", 2);
+    for (const Suspect other :
+         {Suspect::Omission, Suspect::Answer, Suspect::Question, Suspect::Reach, Suspect::Formula})
+        row(qPrintable(QStringLiteral("nothing of %1").arg(int(other))), other,
+            "m = c.density * c.radius ^ 3\ne = restitution\nn = n or 2\nprint(m, e)", 0);
+}
+
+void TestTellingLines::lineIsTold()
+{
+    QFETCH(int, suspect);
+    QFETCH(QString, program);
+    QFETCH(int, line);
+    const QStringList rows = rowsOf(program);
+    RanLines ran;
+    for (int i = 0; i <= rows.size() + 1; ++i) // those outside are of no line
+        ran.now.insert(i);
+    LawDeviation deviation;
+    deviation.suspect = Suspect(suspect);
+    const ProgramLines lines(program);
+    QCOMPARE(tellingLine(deviation, lines, rows, ran), line);
+    // The only line with an angle, where directions are wrong.
+    deviation.topic = Topic::Direction;
+    QCOMPARE(tellingLine(deviation, lines, rows, ran), line);
+    const int last = static_cast<int>(rows.size()) + 1;
+    const QString turned = program + QStringLiteral("\na = math.atan(y, x)");
+    QCOMPARE(tellingLine(deviation, ProgramLines(turned), rowsOf(turned), ran), last);
+    const QString twice = turned + QStringLiteral("\nb = math.acos(x)");
+    RanLines all = ran;
+    all.now.insert(last + 1);
+    QCOMPARE(tellingLine(deviation, ProgramLines(twice), rowsOf(twice), all), line);
+    // Only lines that ran are asked.
+    if (Suspect(suspect) == Suspect::Kept)
+        QCOMPARE(tellingLine(deviation, lines, rows, {}), 0);
+}
+
+void TestTellingLines::linesWithRestitutionComeAlone_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<std::vector<int>>("lines");
+    QTest::newRow("one") << QStringLiteral("a = 1\nb = restitution\nc = 3") << std::vector<int>{2};
+    QTest::newRow("none") << QStringLiteral("a = 1\nb = 2\nc = 3") << std::vector<int>{1, 2, 3};
+    QTest::newRow("a copy") << QStringLiteral("e = restitution\nb = 2\nc = e * 3")
+                            << std::vector<int>{1, 3};
+}
+
+void TestTellingLines::linesWithRestitutionComeAlone()
+{
+    QFETCH(QString, program);
+    QFETCH(std::vector<int>, lines);
+    QCOMPARE(withRestitution({1, 2, 3}, rowsOf(program), ProgramLines(program)), lines);
+}
+
+QTEST_APPLESS_MAIN(TestTellingLines)
+#include "test_telling_lines.moc"
