@@ -222,8 +222,8 @@ void ExactSolver::planLeaving(Slot a, Plan &plan) const
     const double x = wait(p.x, v.x, acceleration.x, across);
     const double y = wait(p.y, v.y, acceleration.y, along);
     plan.leave = m_eventTime + std::min(x, y);
-    const bool right = (Falling && acceleration.x != 0.0 ? v.x + x * acceleration.x : v.x) > 0.0;
-    const bool top = (Falling && acceleration.y != 0.0 ? v.y + y * acceleration.y : v.y) > 0.0;
+    const bool right = v.x + x * acceleration.x > 0.0;
+    const bool top = v.y + y * acceleration.y > 0.0;
     static_assert(static_cast<int>(Wall::Right) == 1 && static_cast<int>(Wall::Bottom) == 2);
     plan.side = static_cast<Wall>(x < y ? int{right} : 2 + int{top});
 }

@@ -98,7 +98,7 @@ private:
     {
         const auto &asked = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
         return std::any_of(asked.begin(), asked.end(),
-                           [&](double s) { return std::abs(s - share) < 1e-3; });
+                           [&](double s) { return isOneMethod(s, share); });
     }
 
     /// Whether what is left is the same under another gravity, with that power of Δt.

@@ -173,6 +173,8 @@ protected:
 /// \param isFallRight  else only a method that is known and is none of those asked for
 [[nodiscard]] std::optional<FlightSaid> methodSaid(const FlightComparison &comparison,
                                                    bool isFallRight);
+/// Whether two shares of g Δt² that a step adds to v Δt are of the same method.
+[[nodiscard]] bool isOneMethod(double share, double other);
 /// The method that adds that share of g Δt² to v Δt; empty if none does.
 [[nodiscard]] QString methodName(double share);
 /// What is wrong with the methods of all circles together.

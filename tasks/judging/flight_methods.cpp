@@ -22,7 +22,7 @@ public:
             const auto share = m_own.at(g, timestep(), m_i).share(timestep());
             if (!share)
                 continue;
-            const auto is = [&](double s) { return std::abs(*share - s) < 1e-3; };
+            const auto is = [&](double s) { return isOneMethod(*share, s); };
             if (std::any_of(shares.begin(), shares.end(), is) || isSubstepped(*share)
                 || (!isFallRight && !isOtherMethod(g, *share)))
                 return std::nullopt;
@@ -50,9 +50,9 @@ private:
         const Vec2 drift = m_own.at(g, timestep(), m_i).drift;
         const double asked = dot(drift, a) / (lengthSquared(a) * timestep() * timestep());
         const auto &shares = m_ground.flights[static_cast<std::size_t>(m_i)].shares;
-        return lengthSquared(a) > 0.0 && (std::abs(share) < 1e-3 || std::abs(share - 1.0) < 1e-3)
+        return lengthSquared(a) > 0.0 && (isOneMethod(share, 0.0) || isOneMethod(share, 1.0))
                && std::none_of(shares.begin(), shares.end(),
-                               [&](double s) { return std::abs(asked - s) < 1e-3; });
+                               [&](double s) { return isOneMethod(asked, s); });
     }
 
     /// Whether it is one or the other Euler in n equal parts of a step: ½ ± 1/2n.
@@ -66,7 +66,7 @@ private:
 
     static QString headlineOf(double share, const std::vector<double> &wanted)
     {
-        const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
+        const auto is = [&](double s) { return isOneMethod(share, s); };
         if (wanted.size() > 1)
             return FlightText::tr("The motion of %who is no known method");
         const QString asked = methodName(wanted.front());
@@ -78,14 +78,18 @@ private:
 
 } // namespace
 
+bool isOneMethod(double share, double other)
+{
+    return std::abs(share - other) < 1e-3;
+}
+
 QString methodName(double share)
 {
-    const auto is = [&](double s) { return std::abs(share - s) < 1e-3; };
-    if (is(0.0))
+    if (isOneMethod(share, 0.0))
         return motion::integratorName(Integrator::Euler);
-    if (is(1.0))
+    if (isOneMethod(share, 1.0))
         return motion::integratorName(Integrator::SymplecticEuler);
-    return is(0.5) ? FlightText::tr("the exact parabola") : QString();
+    return isOneMethod(share, 0.5) ? FlightText::tr("the exact parabola") : QString();
 }
 
 std::optional<FlightSaid> methodSaid(const FlightComparison &comparison, bool isFallRight)
@@ -112,8 +116,7 @@ std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Gro
         return std::nullopt;
     const auto asks = [&](std::size_t i, double share) {
         const auto &all = ground.flights[i].shares;
-        return std::any_of(all.begin(), all.end(),
-                           [&](double s) { return std::abs(s - share) < 1e-3; });
+        return std::any_of(all.begin(), all.end(), [&](double s) { return isOneMethod(s, share); });
     };
     LawDeviation deviation{
         .moment = {flightStage(ground, ground.gravities.front(), h), 2, circles, true},
@@ -129,7 +132,7 @@ std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Gro
                 .arg(brief(shares[0]), brief(shares[1]));
         return deviation;
     }
-    if (ground.sameIntegrator && std::abs(shares[0] - shares[1]) > 1e-3 && asks(0, shares[0])
+    if (ground.sameIntegrator && !isOneMethod(shares[0], shares[1]) && asks(0, shares[0])
         && asks(1, shares[1])) {
         deviation.message =
             FlightText::tr("The circles move by different methods\n\nUnder gravity circle 1 goes "
