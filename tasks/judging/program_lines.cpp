@@ -70,6 +70,18 @@ QStringList ProgramLines::bodiesNear(int line) const
     return found.mid(0, 3);
 }
 
+QStringList ProgramLines::countsOfLoops() const
+{
+    QStringList counts;
+    for (std::size_t i = 0; i + 5 < m_tokens.size(); ++i) {
+        const ProgramToken &count = m_tokens[i + 5];
+        if (is(i, "for") && is(i + 2, "=") && is(i + 4, ",") && !counts.contains(count.text)
+            && (count.kind == ProgramToken::Kind::Number || count.kind == ProgramToken::Kind::Name))
+            counts.append(count.text);
+    }
+    return counts;
+}
+
 QStringList ProgramLines::forgotten(int line) const
 {
     constexpr int near = 12;

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] bool isOwner(const QString &name) const { return m_owners.contains(name); }
     /// The names that stand for the timestep, as they come; what is tried follows this order.
     [[nodiscard]] const QStringList &timesteps() const { return m_timesteps; }
+    /// The numbers up to which its loops count.
+    [[nodiscard]] QStringList countsOfLoops() const;
     /// At most three circles that are named in a line or in those around it, the nearest first.
     [[nodiscard]] QStringList bodiesNear(int line) const;
 

@@ -128,23 +128,6 @@ void exchangeElement(RepairList &repairs, std::size_t i)
         repairs.replace(tokens[i].line, tokens[i].start, tokens[i + 3].end(), body);
 }
 
-/// The partner of a name: m2 for m1, mb for ma; empty if the program has none.
-QString partnerOf(const RepairList &repairs, const QString &name)
-{
-    static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('a'), QLatin1Char('b')},
-                                                     {QLatin1Char('1'), QLatin1Char('2')},
-                                                     {QLatin1Char('x'), QLatin1Char('y')}};
-    for (const auto &[one, two] : ends) {
-        QString partner = name;
-        if (partner.size() < 2 || (partner.back() != one && partner.back() != two))
-            continue;
-        partner.back() = partner.back() == one ? two : one;
-        if (repairs.program().hasName(partner))
-            return partner;
-    }
-    return {};
-}
-
 /// m1 for m2 and m2 for m1, wherever they stand in the line.
 void exchangePartners(RepairList &repairs, int line)
 {
@@ -154,7 +137,7 @@ void exchangePartners(RepairList &repairs, int line)
         const ProgramToken &token = repairs.tokens()[i];
         if (token.kind != ProgramToken::Kind::Name || done.contains(token.text))
             continue;
-        const QString partner = partnerOf(repairs, token.text);
+        const QString partner = repairs.partnerOf(token.text);
         if (partner.isEmpty())
             continue;
         done << token.text << partner;
@@ -165,6 +148,23 @@ void exchangePartners(RepairList &repairs, int line)
         repairs.replace(line, program.startOf(line),
                         program.startOf(line) + program.row(line).size(), row);
     }
+}
+
+/// u[1] for u[2] and u[2] for u[1] in what the line gives.
+void exchangeIndices(RepairList &repairs, int line)
+{
+    static const QRegularExpression index(QStringLiteral("\\[([12])\\]"));
+    const ProgramLines &program = repairs.program();
+    const QString row = program.row(line);
+    const qsizetype behind = row.indexOf(QLatin1Char('=')) + 1;
+    QString given = row.mid(behind);
+    if (behind == 0 || !given.contains(index))
+        return;
+    given.replace(QLatin1String("[1]"), QString(QChar(1)));
+    given.replace(QLatin1String("[2]"), QLatin1String("[1]"));
+    given.replace(QString(QChar(1)), QLatin1String("[2]"));
+    const qsizetype from = program.startOf(line);
+    repairs.replace(line, from + behind, from + row.size(), given);
 }
 
 /// a = b, then b = a, where both at once are meant.
@@ -180,7 +180,8 @@ void assignAtOnce(RepairList &repairs, int line)
     if (!one.hasMatch() || !two.hasMatch() || !two.captured(3).contains(one.captured(2)))
         return;
     const qsizetype from = program.startOf(line);
-    repairs.replace(line, from, program.startOf(line + 1) + program.row(line + 1).size(),
+    // Who takes what has changed is at fault.
+    repairs.replace(line + 1, from, program.startOf(line + 1) + program.row(line + 1).size(),
                     QStringLiteral("%1%2, %3 = %4, %5")
                         .arg(one.captured(1), one.captured(2), two.captured(2), one.captured(3),
                              two.captured(3)));
@@ -212,6 +213,7 @@ void repairExchanges(RepairList &repairs, std::size_t i)
 void repairOrder(RepairList &repairs, int line)
 {
     exchangePartners(repairs, line);
+    exchangeIndices(repairs, line);
     assignAtOnce(repairs, line);
     goOn(repairs, line);
 }

@@ -20,6 +20,7 @@ public:
         , m_most(most)
         , m_assignments(assignmentsOf(program))
         , m_functions(functionsOf(program))
+        , m_declared(pairsOf(program, m_assignments))
     {
     }
 
@@ -31,6 +32,10 @@ public:
         return m_assignments;
     }
     [[nodiscard]] const std::vector<ProgramFunction> &functions() const { return m_functions; }
+
+    /// What stands for the same of the other circle or side: m2 for m1, b for a, yours where
+    /// `local mine, yours = a.velocity, b.velocity`; empty if the program names none.
+    [[nodiscard]] QString partnerOf(const QString &name) const;
 
     /// \param from, to  places in the source, of \p line
     void replace(int line, qsizetype from, qsizetype to, const QString &text);
@@ -49,6 +54,8 @@ public:
     [[nodiscard]] std::vector<Repair> take();
 
 private:
+    [[nodiscard]] static QHash<QString, QString>
+    pairsOf(const ProgramLines &program, const std::vector<ProgramAssignment> &assignments);
     /// Once, also where several ways lead to it.
     void add(const QString &source, int line, bool alone);
     [[nodiscard]] std::size_t roomForTwins() const { return m_most / 4; }
@@ -59,6 +66,7 @@ private:
     std::size_t m_most;
     std::vector<ProgramAssignment> m_assignments;
     std::vector<ProgramFunction> m_functions;
+    QHash<QString, QString> m_declared; ///< partners by what they are given
     std::vector<Repair> m_repairs{};
     std::vector<Repair> m_twins{}; ///< in several lines alike
     QSet<QString> m_known{};
@@ -89,8 +97,14 @@ void addCoordinate(RepairList &repairs, std::size_t i);
 void scaleTerm(RepairList &repairs, std::size_t i);
 /// What the line says of two, said the other way round or at once; a way out, not taken.
 void repairOrder(RepairList &repairs, int line);
-/// What the line says, as another nearby says it of the other circle or coordinate.
+/// What the line says, as another nearby or its own other half says it of the other circle or
+/// coordinate.
 void repairMirror(RepairList &repairs, int line);
+/// What follows from two that are alike, at token \p i: their product for what they share, the sum
+/// of their squares for the square of their sum, the whole step for a part of it.
+void repairPairs(RepairList &repairs, std::size_t i);
+/// A value, wherever the line takes it, twice.
+void scaleValue(RepairList &repairs, int line);
 /// The line left out.
 void dropLine(RepairList &repairs, int line);
 /// The line put behind the next, or said of another circle.

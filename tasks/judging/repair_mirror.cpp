@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/repair_list.h"
 
-#include <QHash>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -16,49 +15,87 @@ constexpr int near = 6;
 
 /// What a name is of the other circle, or of the other coordinate; the name itself if it has no
 /// partner in the program.
-QString partnerOf(const ProgramLines &program, const QString &name, bool isCoordinate)
+QString partnerOf(const RepairList &repairs, const QString &name, bool isCoordinate)
 {
-    static const QHash<QString, QString> words{{QStringLiteral("one"), QStringLiteral("two")},
-                                               {QStringLiteral("two"), QStringLiteral("one")},
-                                               {QStringLiteral("self"), QStringLiteral("other")},
-                                               {QStringLiteral("other"), QStringLiteral("self")}};
-    if (!isCoordinate && program.hasName(words.value(name)))
-        return words.value(name);
-    for (const auto &[one, two] :
-         isCoordinate ? std::vector<std::pair<char, char>>{{'x', 'y'}}
-                      : std::vector<std::pair<char, char>>{{'1', '2'}, {'a', 'b'}}) {
-        QString partner = name;
-        QChar &last = partner.back();
-        if (last == QLatin1Char(one))
-            last = QLatin1Char(two);
-        else if (last == QLatin1Char(two))
-            last = QLatin1Char(one);
-        if (partner != name && program.hasName(partner))
-            return partner;
+    if (!isCoordinate) {
+        const QString partner = repairs.partnerOf(name);
+        return partner.isEmpty() ? name : partner;
     }
-    return name;
+    QString partner = name;
+    QChar &last = partner.back();
+    if (last == QLatin1Char('x'))
+        last = QLatin1Char('y');
+    else if (last == QLatin1Char('y'))
+        last = QLatin1Char('x');
+    return repairs.program().hasName(partner) ? partner : name;
 }
 
-/// A line, said of the other.
-QString mirrored(const ProgramLines &program, int line, bool isCoordinate)
+/// What stands in a line from place \p from of the source to \p to, said of the other.
+QString mirrored(const RepairList &repairs, int line, qsizetype from, qsizetype to,
+                 bool isCoordinate)
 {
-    const QString row = program.row(line);
-    const qsizetype start = program.startOf(line);
+    const ProgramLines &program = repairs.program();
     QString result;
-    qsizetype done = 0;
+    qsizetype done = from;
     for (const std::size_t i : program.tokensOf(line)) {
         const ProgramToken &token = program.tokens()[i];
+        if (token.start < from || token.end() > to)
+            continue;
         const bool isIndex = !isCoordinate && token.kind == ProgramToken::Kind::Number && i > 0
                              && program.is(i - 1, "[") && program.is(i + 1, "]");
         QString text = token.text;
         if (token.kind == ProgramToken::Kind::Name)
-            text = partnerOf(program, text, isCoordinate);
+            text = partnerOf(repairs, text, isCoordinate);
         else if (isIndex && (token.is("1") || token.is("2")))
             text = token.is("1") ? QStringLiteral("2") : QStringLiteral("1");
-        result += row.mid(done, token.start - start - done) + text;
-        done = token.end() - start;
+        result += program.source().mid(done, token.start - done) + text;
+        done = token.end();
     }
-    return result + row.mid(done);
+    return result + program.source().mid(done, to - done);
+}
+
+/// A line with the signs of its sums turned round, outside of brackets: a push on the other circle
+/// points the other way.
+QString opposed(const QString &row)
+{
+    QString turned = row;
+    int depth = 0;
+    bool isBehindOperand = false;
+    for (qsizetype at = row.indexOf(QLatin1Char('=')) + 1; at < row.size(); ++at) {
+        const QChar c = row[at];
+        depth += c == QLatin1Char('(') || c == QLatin1Char('[') ? 1 : 0;
+        depth -= c == QLatin1Char(')') || c == QLatin1Char(']') ? 1 : 0;
+        if (depth == 0 && isBehindOperand && (c == QLatin1Char('+') || c == QLatin1Char('-')))
+            turned[at] = QLatin1Char(c == QLatin1Char('+') ? '-' : '+');
+        if (!c.isSpace())
+            isBehindOperand = c.isLetterOrNumber() || c == QLatin1Char('_') || c == QLatin1Char(')')
+                              || c == QLatin1Char(']');
+    }
+    return turned;
+}
+
+/// Of `local f1, f2 = A, B` the one value as the other has it.
+void mirrorWithin(RepairList &repairs, int line)
+{
+    std::vector<const ProgramAssignment *> both;
+    for (const ProgramAssignment &each : repairs.assignments()) {
+        if (each.line == line && each.from < each.to)
+            both.push_back(&each);
+    }
+    if (both.size() != 2)
+        return;
+    const auto &tokens = repairs.tokens();
+    const auto startOf = [&](const ProgramAssignment &each) { return tokens[each.from].start; };
+    const auto endOf = [&](const ProgramAssignment &each) { return tokens[each.to - 1].end(); };
+    for (const bool isCoordinate : {false, true}) {
+        for (const auto &[to, as] : {std::pair(both[1], both[0]), std::pair(both[0], both[1])}) {
+            const QString own =
+                repairs.program().source().mid(startOf(*as), endOf(*as) - startOf(*as));
+            const QString other = mirrored(repairs, line, startOf(*as), endOf(*as), isCoordinate);
+            if (other != own)
+                repairs.replaceTelling(line, startOf(*to), endOf(*to), other);
+        }
+    }
 }
 
 /// What a line gives a value or calls: up to the sign = or the bracket; empty for other lines.
@@ -81,12 +118,17 @@ void repairMirror(RepairList &repairs, int line)
         return;
     for (int at = std::max(1, line - near); at <= std::min(program.count(), line + near); ++at) {
         for (const bool isCoordinate : {false, true}) {
-            const QString other = mirrored(program, at, isCoordinate);
-            if (at != line && other != program.row(at) && headOf(other) == head)
+            const qsizetype start = program.startOf(at);
+            const QString other =
+                mirrored(repairs, at, start, start + program.row(at).size(), isCoordinate);
+            if (at == line || other == program.row(at) || headOf(other) != head)
+                continue;
+            for (const QString &said : {other, opposed(other)})
                 repairs.replaceTelling(line, program.startOf(line),
-                                       program.startOf(line) + row.size(), other);
+                                       program.startOf(line) + row.size(), said);
         }
     }
+    mirrorWithin(repairs, line);
 }
 
 } // namespace cradle

@@ -31,6 +31,8 @@ void exchangeName(RepairList &repairs, std::size_t i)
             }
         }
     }
+    if (const QString other = repairs.partnerOf(name.text); !other.isEmpty())
+        repairs.replace(name, other);
     static const QHash<QString, QString> pairs{{QStringLiteral("right"), QStringLiteral("left")},
                                                {QStringLiteral("left"), QStringLiteral("right")},
                                                {QStringLiteral("top"), QStringLiteral("bottom")},

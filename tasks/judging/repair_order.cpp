@@ -93,12 +93,13 @@ Naming namingOf(const QString &row)
     return naming;
 }
 
+/// What names of the first and of the second circle end with.
+constexpr std::pair<char, char> circleEnds[] = {{'1', '2'}, {'a', 'b'}, {'p', 'q'}};
+
 /// Whether a line stands twice, where only one is meant for the second, and this is the other.
 bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
 {
     const QString row = rows.value(line - 1);
-    const Side was = sideOf(row, QLatin1Char('1'), QLatin1Char('2'));
-    const Side is = sideOf(changed, QLatin1Char('1'), QLatin1Char('2'));
     const auto stands = [&](int step) {
         for (int at = line - 1 + step; std::abs(at - line + 1) <= 2; at += step) {
             if (rows.value(at) == row)
@@ -106,8 +107,12 @@ bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
         }
         return false;
     };
-    return (was == Side::First && is == Side::Second && stands(1))
-           || (was == Side::Second && is == Side::First && stands(-1));
+    return std::any_of(std::begin(circleEnds), std::end(circleEnds), [&](const auto &ends) {
+        const Side was = sideOf(row, QLatin1Char(ends.first), QLatin1Char(ends.second));
+        const Side is = sideOf(changed, QLatin1Char(ends.first), QLatin1Char(ends.second));
+        return (was == Side::First && is == Side::Second && stands(1))
+               || (was == Side::Second && is == Side::First && stands(-1));
+    });
 }
 
 QString rowOf(const QString &source, int line)

@@ -95,6 +95,8 @@ void changeRightSide(RepairList &repairs, std::size_t i)
                             QStringLiteral("(%1) / ((%1)^2 + (%2)^2)^0.5, (%2) / ((%1)^2 + "
                                            "(%2)^2)^0.5")
                                 .arg(one, two));
+        repairs.replace(line, from, from + one.size(), QStringLiteral("-(%1)").arg(one));
+        repairs.replace(line, second, end, QStringLiteral("-(%1)").arg(two));
         return;
     }
     if (returns)

@@ -96,6 +96,7 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
             repairElements(repairs, i);
             repairExchanges(repairs, i);
             repairFactors(repairs, i);
+            repairPairs(repairs, i);
         }
         repairOrder(repairs, line);
     }
@@ -106,6 +107,7 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
             scaleTerm(repairs, i);
             addCoordinate(repairs, i);
         }
+        scaleValue(repairs, line);
         dropLine(repairs, line);
         repairLine(repairs, line);
     }

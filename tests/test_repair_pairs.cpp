@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/repairs.h"
+
+#include "tests/tried_repairs.h"
+
+#include <QTest>
+
+using namespace cradle;
+using namespace cradle::changes;
+
+/// What is said of one of two is tried of the other: under which names, and with which sign.
+class TestRepairPairs : public QObject
+{
+    Q_OBJECT
+private slots:
+    void mistakeInTheSecondLineIsUndone_data();
+    void mistakeInTheSecondLineIsUndone();
+    void whoTakesWhatHasChangedIsMarked();
+};
+
+void TestRepairPairs::mistakeInTheSecondLineIsUndone_data()
+{
+    QTest::addColumn<QString>("wrong"); // its second line is changed
+    QTest::addColumn<QString>("right");
+    QTest::addColumn<bool>("isTried");
+    const auto row = [](const char *name, const char *first, const char *wrong, const char *right,
+                        bool tried = true) {
+        const QString before = QString::fromLatin1(first) + QLatin1Char('\n');
+        QTest::newRow(name) << before + QString::fromLatin1(wrong)
+                            << before + QString::fromLatin1(right) << tried;
+    };
+    // Names that go together by what they are given, or by how they end.
+    row("declared together", "local mine, yours = a.v, b.v", "x = mine", "x = yours");
+    row("given other things", "local mine, yours = a.v, b.v * 2", "x = mine", "x = yours", false);
+    row("given the same", "local mine, yours = a.v, a.v", "x = mine", "x = yours", false);
+    row("p and q", "local mp, mq = 1, 2", "x = mp", "x = mq");
+    // A push on the other points the other way.
+    row("opposed", "a.v = a.v - j / m1 * n", "b.v = b.v + n", "b.v = b.v + j / m2 * n");
+    row("within brackets it is the same", "a.v = a.v - 2 / (m1 + m2) * n", "b.v = b.v",
+        "b.v = b.v + 2 / (m2 + m1) * n");
+    row("one value of two", "", "local x1, x2 = 2 * m2 / (m1 + m2), m1", // of the own line
+        "local x1, x2 = 2 * m2 / (m1 + m2), 2 * m1 / (m2 + m1)");
+    row("the first of two", "", "local x1, x2 = m2, 2 * m1", "local x1, x2 = 2 * m2, 2 * m1");
+    row("turned round, the first", "", "local x, y = u - w, v", "local x, y = -(u - w), v");
+    row("turned round, the second", "", "local x, y = u, v - w", "local x, y = u, -(v - w)");
+    row("indices exchanged", "", "x = k + u[2] - u[1]", "x = k + u[1] - u[2]");
+    // What follows from two.
+    row("what two share", "", "x = m1 * m2", "x = m1 * m2 / (m1 + m2)");
+    row("of no two", "", "x = m1 * va", "x = m1 * va / (m1 + va)", false);
+    row("divided already", "", "x = m1 * m2 / u", "x = m1 * m2 / (m1 + m2) / u", false);
+    row("square of a sum", "", "if u < r[1] ^ 2 + r[2] ^ 2 then", "if u < (r[1] + r[2]) ^ 2 then");
+    row("part of a step", "for i = 1, 8 do", "local s = h", "local s = h / 8");
+    row("part of a step, by name", "for i = 1, k do", "local s = h", "local s = h / k");
+    row("twice, at both places", "", "x = vec(u - va * d, w - va * n)",
+        "x = vec(u - 2 * va * d, w - 2 * va * n)");
+}
+
+void TestRepairPairs::mistakeInTheSecondLineIsUndone()
+{
+    QFETCH(QString, wrong);
+    QFETCH(QString, right);
+    QFETCH(bool, isTried);
+    const auto all = tried(around(wrong), {theLine + 1});
+    QCOMPARE(changes::isTried(all, around(right)), isTried);
+    for (const Repair &each : all)
+        QCOMPARE(each.line, theLine + 1);
+}
+
+void TestRepairPairs::whoTakesWhatHasChangedIsMarked()
+{
+    const auto all = tried(around(QStringLiteral("a.v = b.v\nb.v = a.v")));
+    const QString right = around(QStringLiteral("a.v, b.v = b.v, a.v"));
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Repair &each) {
+        return withoutSpaces(each.source) == withoutSpaces(right);
+    });
+    QVERIFY(found != all.end());
+    QCOMPARE(found->line, theLine + 1);
+}
+
+QTEST_GUILESS_MAIN(TestRepairPairs)
+#include "test_repair_pairs.moc"
