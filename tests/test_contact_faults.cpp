@@ -94,7 +94,7 @@ void addCollisions()
            3, 0.0, 1.3, "m");
     addRow("both fall otherwise", pair("collides"), drift(apart(), falling(10)),
            "At step 1, where it touches nothing, the velocity of circle 1 went from (1, 0) to (1, "
-           "-0.2) m/s; (1, 0) m/s is right. Hits are judged when its motion is right",
+           "-0.2) m/s; (1, 0) m/s is right. Hits are judged once this is mended",
            1, 0.0, -0.2, "m/s");
     // Twice as far in a step as its velocity takes it, it crosses the wall and is mirrored there.
     std::vector<Change> twice;
@@ -104,7 +104,7 @@ void addCollisions()
     addRow("one moves twice", pair("collides"),
            drift({{.position = {2.25, 0}, .velocity = {1, 0}}, {.position = {2.25, 2}}}, twice),
            "At step 1, where it touches nothing, circle 1 moved by (0.2, 0) m; its velocity times "
-           "the timestep is (0.1, 0) m. Hits are judged when its motion is right",
+           "the timestep is (0.1, 0) m. Hits are judged once this is mended",
            1, 0.1, 0.2, "m");
     // Two steps of ten are no law of its motion.
     addRow("both fall twice", pair("collides"), drift(apart(), falling(2)),
@@ -116,7 +116,7 @@ void addCollisions()
                   {.position = {0.15, 0}, .velocity = {1, 0}}},
                  falling(10)),
            "At step 3, where it touches nothing, the velocity of circle 1 went from (-1, -0.4) to "
-           "(-1, -0.6) m/s; (-1, -0.4) m/s is right. Hits are judged when its motion is right",
+           "(-1, -0.6) m/s; (-1, -0.4) m/s is right. Hits are judged once this is mended",
            3, -0.4, -0.6, "m/s");
     addRow("turned by a wall beside the other", pair("conserves"),
            drift({{.position = {3.4, 0}}, {.position = {3.75, 0}, .velocity = {1, 0}}},
@@ -242,13 +242,32 @@ void TestContactFaults::faultIsSaidToTheLetter_data()
            3, 1.0, 0.5, "kg m/s");
     addRow("momentum lost in every step", pair("conserves"), drift(apart(), falling(10)),
            "At step 1, where it touches nothing, the velocity of circle 1 went from (1, 0) to (1, "
-           "-0.2) m/s; (1, 0) m/s is right. Hits are judged when its motion is right",
+           "-0.2) m/s; (1, 0) m/s is right. Hits are judged once this is mended",
            1, 0.0, -0.2, "m/s");
     // ½ 1 kg (1 m/s)², then twice ½ 1 kg (½ m/s)².
     addRow("energy lost", pair("conserves", {{QStringLiteral("energy"), true}}),
            drift(headOn(), leave({0.5, 0}, {0.5, 0})),
            "At step 2 the hit changed the kinetic energy from 0.5 to 0.25 J; it should stay", 2,
            0.5, 0.25, "J");
+    // Beside each other, where they overlap and part.
+    const Circles parting = {{.position = {-0.05, 0}, .velocity = {-1, 0}, .density = kilogram},
+                             {.position = {0.05, 0}, .velocity = {1, 0}, .density = kilogram}};
+    addRow("momentum lost while they part", pair("conserves"),
+           drift(parting, leave({-1, 0}, {1, 0.5}, 2)),
+           "At step 2, while the circles did not come nearer, the total momentum changed from (0, "
+           "0) to (0, 0.5) kg m/s; it should stay",
+           2, 0.0, 0.5, "kg m/s");
+    addRow("energy lost while they part", pair("conserves", {{QStringLiteral("energy"), true}}),
+           drift(parting, leave({-0.5, 0}, {0.5, 0}, 2)),
+           "At step 2, while the circles did not come nearer, the kinetic energy changed from 1 "
+           "to 0.25 J; it should stay",
+           2, 1.0, 0.25, "J");
+    addRow("no energy lost where nothing meets", pair("loses_energy"),
+           drift(apart(), leave({-1, 0}, {0, 0}, 1)),
+           "In this scene no hit changed the velocities of the circles; one should", 0);
+    addRow("no energy lost while they part", pair("loses_energy"),
+           drift(parting, leave({1, 0}, {-1, 0}, 1)),
+           "In this scene no hit changed the velocities of the circles; one should", 0);
     addRow("nothing to conserve", pair("conserves"), drift(apart(), {}),
            "In this scene no hit changed the velocities of the circles; one should", 0);
     addRow("the first leaves with another velocity", pair("after_contact", velocities({}, {1, 0})),

@@ -246,14 +246,14 @@ void addWalls()
     addRow("driven in every step", bounces,
            drift(beside({.position = {3.5, 0}, .velocity = {1, 1}}), driven),
            "At step 1, where it touches nothing, the velocity of circle 2 went from (1, 1) to (1, "
-           "1.2) m/s; (1, 1) m/s is right. Hits are judged when its motion is right",
+           "1.2) m/s; (1, 1) m/s is right. Hits are judged once this is mended",
            1, 1.0, 1.2, "m/s");
     // A push that is more than a wall gives back.
     addRow("pushed in the open", bounces,
            drift(beside({.position = {1, 0}, .velocity = {0.1, 0}}),
                  change(2, 1, [](Circle &c) { c.velocity.x = -0.3; })),
            "At step 2, where it touches nothing, the velocity of circle 2 went from (0.1, 0) to "
-           "(-0.3, 0) m/s; (0.1, 0) m/s is right. Hits are judged when its motion is right",
+           "(-0.3, 0) m/s; (0.1, 0) m/s is right. Hits are judged once this is mended",
            2, 0.1, -0.3, "m/s");
     // The other one may push it back to the wall in every step.
     addRow(

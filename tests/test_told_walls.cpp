@@ -92,9 +92,12 @@ void TestToldWalls::answerOfAWallIsTold()
     QFETCH(Law, alongLaw);
     const QString body = bodyOfWalls(
         wallsOf(wallWays[1], "c.radius", back.toUtf8().constData(), along.toUtf8().constData()));
-    const auto n =
-        numbersIn(body, "Here e is #. Circle # came to the * with (#, #) m/s and left it "
-                        "with (#, #) m/s; (#, #) m/s is right.");
+    const bool isOutward = back == QLatin1String("-restitution");
+    const auto n = numbersIn(
+        body, isOutward ? "Here e is #. Circle # came to the * with (#, #) m/s and has (#, #) m/s "
+                          "after the hit, still into it; (#, #) m/s is right."
+                        : "Here e is #. Circle # came to the * with (#, #) m/s and left it "
+                          "with (#, #) m/s; (#, #) m/s is right.");
     QVERIFY2(n.size() == 8, qPrintable(body));
     const bool isSide = body.contains(QLatin1String("t wall with"));
     const auto parts = [&](std::size_t at) { // along the normal and the wall

@@ -1101,14 +1101,6 @@
         <translation>لا تعطي أي من طرائق التكامل الأربع كل خطوات الدائرة ⁨%1⁩ تحت الجاذبية ⁦%2 m/s²⁩</translation>
     </message>
     <message>
-        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged when its motion is right</source>
-        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩. يُحكم على التصادمات حين تصح حركتها</translation>
-    </message>
-    <message>
-        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
-        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات حين تصح حركتها</translation>
-    </message>
-    <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres, and after the hit they still come nearer, with %3 m/s; they should part with e times as much as they met with: with e = %4, %5 m/s</source>
         <translation>في الخطوة ⁨%1⁩ التقت الدائرتان بسرعة ⁦%2 m/s⁩ على خط المركزين، وبعد التصادم ما زالتا تتقاربان بسرعة ⁦%3 m/s⁩؛ وكان ينبغي أن تتباعدا بمقدار e مرة من سرعة اللقاء: مع ⁦e = %4⁩ بسرعة ⁦%5 m/s⁩</translation>
     </message>
@@ -1129,8 +1121,24 @@
         <translation>في الخطوة ⁨%1⁩ تغيّرت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ بينما كانت الدائرتان تتباعدان واحتفظت الأخرى بسرعتها؛ يجب أن تبقى كما كانت</translation>
     </message>
     <message>
-        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged when its motion is right</source>
-        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩، وتضيف الجاذبية ⁦%5 m⁩ على الأكثر. يُحكم على التصادمات حين تصح حركتها</translation>
+        <source>At step %1, while the circles did not come nearer, the total momentum changed from %2 to %3 kg m/s; it should stay</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لم تتقارب الدائرتان تغيّرت كمية الحركة الكلية من ⁨%2⁩ إلى ⁦%3 kg m/s⁩؛ يجب أن تبقى</translation>
+    </message>
+    <message>
+        <source>At step %1, while the circles did not come nearer, the kinetic energy changed from %2 to %3 J; it should stay</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لم تتقارب الدائرتان تغيّرت الطاقة الحركية من ⁨%2⁩ إلى ⁦%3 J⁩؛ يجب أن تبقى</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged once this is mended</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا تحرّكت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبة في الخطوة الزمنية ⁦%4 m⁩. يُحكم على التصادمات بعد إصلاح ذلك</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged once this is mended</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا تحركت الدائرة ⁨%2⁩ بمقدار ⁦%3 m⁩؛ وسرعتها مضروبةً في الخطوة الزمنية ⁦%4 m⁩، وتضيف الجاذبية ⁦%5 m⁩ على الأكثر. يُحكم على التصادمات بعد إصلاح ذلك</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات بعد إصلاح ذلك</translation>
     </message>
 </context>
 <context>
@@ -4511,10 +4519,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>من كل سرعة جُرّبت تكون لها بعد ذلك ⁦%1 m/s⁩ على العمودي: احسب السرعة الجديدة من القديمة.</translation>
     </message>
     <message>
-        <source>Here it still points into the wall.</source>
-        <translation>وهي هنا ما زالت تتجه إلى داخل الجدار.</translation>
-    </message>
-    <message>
         <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
         <translation>من بدايتين ساكنتين في موضعين تكون الدائرة بعد خطوتين في موضع واحد بعينه. الخطوة *تضيف* مسافة إلى الموضع القديم.</translation>
     </message>
@@ -4537,6 +4541,18 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
         <translation>قُذفت نحو كل جدار فنفذت منه %who؛ عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩. انظر هل يسأل برنامجك عن الجدران لأجل %who وهل يكون الجواب نعم أبدًا.</translation>
+    </message>
+    <message>
+        <source>In its first %1 s their rims come no nearer than %2 m, at %3 s. Look at the positions and velocities that they start with.</source>
+        <translation>في أول ⁦%1 s⁩ منه لا تقترب حافتاهما إلى أقل من ⁦%2 m⁩، وذلك عند ⁦%3 s⁩. انظر إلى المواضع والسرعات التي تبدآن بها.</translation>
+    </message>
+    <message>
+        <source>The circles of your scene do not meet</source>
+        <translation>لا تلتقي دائرتا مشهدك</translation>
+    </message>
+    <message>
+        <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
+        <translation>جاءت الدائرة ⁨%5⁩ إلى ⁨%1⁩ بسرعة ⁦%2 m/s⁩ وسرعتها بعد التصادم ⁦%3 m/s⁩ وما زالت نحو الخارج؛ الصواب ⁦%4 m/s⁩.</translation>
     </message>
 </context>
 <context>

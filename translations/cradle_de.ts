@@ -1093,14 +1093,6 @@
         <translation>Keiner der vier Integratoren macht alle Schritte von Kreis %1 unter der Schwerkraft %2 m/s²</translation>
     </message>
     <message>
-        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged when its motion is right</source>
-        <translation>In Schritt %1, in dem er nichts berührt, bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
-    </message>
-    <message>
-        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
-        <translation>In Schritt %1, in dem er nichts berührt, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
-    </message>
-    <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres, and after the hit they still come nearer, with %3 m/s; they should part with e times as much as they met with: with e = %4, %5 m/s</source>
         <translation>In Schritt %1 trafen sich die Kreise mit %2 m/s längs der Verbindungslinie, und nach dem Stoß nähern sie sich noch immer, mit %3 m/s; trennen sollten sie sich mit dem e-Fachen: bei e = %4 mit %5 m/s</translation>
     </message>
@@ -1121,8 +1113,24 @@
         <translation>In Schritt %1 änderte sich die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, während sich die Kreise voneinander entfernten und der andere seine behielt; sie soll bleiben, wie sie war</translation>
     </message>
     <message>
-        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged when its motion is right</source>
-        <translation>In Schritt %1, in dem er nichts berührt, bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m, und die Schwerkraft fügt höchstens %5 m hinzu. Stöße werden beurteilt, wenn seine Bewegung stimmt</translation>
+        <source>At step %1, while the circles did not come nearer, the total momentum changed from %2 to %3 kg m/s; it should stay</source>
+        <translation>In Schritt %1, in dem die Kreise sich nicht näher kamen, änderte sich der Gesamtimpuls von %2 auf %3 kg m/s; er soll bleiben</translation>
+    </message>
+    <message>
+        <source>At step %1, while the circles did not come nearer, the kinetic energy changed from %2 to %3 J; it should stay</source>
+        <translation>In Schritt %1, in dem die Kreise sich nicht näher kamen, änderte sich die kinetische Energie von %2 auf %3 J; sie soll bleiben</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged once this is mended</source>
+        <translation>In Schritt %1, in dem er nichts berührt, bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal Zeitschritt ist %4 m. Stöße werden beurteilt, sobald das behoben ist</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged once this is mended</source>
+        <translation>In Schritt %1, in dem er nichts berührt, bewegte sich Kreis %2 um %3 m; seine Geschwindigkeit mal dem Zeitschritt ist %4 m, und die Schwerkraft fügt höchstens %5 m hinzu. Stöße werden beurteilt, sobald das behoben ist</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>In Schritt %1, in dem er nichts berührt, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, sobald das behoben ist</translation>
     </message>
 </context>
 <context>
@@ -4459,10 +4467,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>Nach jeder versuchten Geschwindigkeit hat er danach %1 m/s längs der Normalen: Rechne die neue Geschwindigkeit aus der alten aus.</translation>
     </message>
     <message>
-        <source>Here it still points into the wall.</source>
-        <translation>Hier zeigt sie noch in die Wand.</translation>
-    </message>
-    <message>
         <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
         <translation>An zwei Orten in Ruhe gestartet, ist der Kreis zwei Schritte später an ein und demselben Ort. Ein Schritt *addiert* einen Weg zum alten Ort.</translation>
     </message>
@@ -4485,6 +4489,18 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
         <translation>Gegen jede geworfen, ging es hindurch (%who); an %1 mit %2 m/s. Sieh dir an, ob dein Programm dafür nach Wänden fragt (%who) und ob die Antwort je Ja ist.</translation>
+    </message>
+    <message>
+        <source>In its first %1 s their rims come no nearer than %2 m, at %3 s. Look at the positions and velocities that they start with.</source>
+        <translation>In ihren ersten %1 s kommen sich ihre Ränder nicht näher als %2 m, bei %3 s. Sieh nach, mit welchen Orten und Geschwindigkeiten sie beginnen.</translation>
+    </message>
+    <message>
+        <source>The circles of your scene do not meet</source>
+        <translation>Die Kreise deiner Szene treffen sich nicht</translation>
+    </message>
+    <message>
+        <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
+        <translation>Kreis %5 kam mit %2 m/s an %1 an und hat nach dem Stoß %3 m/s, immer noch nach außen; richtig ist %4 m/s.</translation>
     </message>
 </context>
 <context>

@@ -1093,14 +1093,6 @@
         <translation>Aucun des quatre intégrateurs ne donne tous les pas du cercle %1 sous la pesanteur %2 m/s²</translation>
     </message>
     <message>
-        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged when its motion is right</source>
-        <translation>Au pas %1, où il ne touche rien, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m. Les chocs seront jugés quand son mouvement sera juste</translation>
-    </message>
-    <message>
-        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged when its motion is right</source>
-        <translation>Au pas %1, où il ne touche rien, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés quand son mouvement sera juste</translation>
-    </message>
-    <message>
         <source>At step %1 the circles met with %2 m/s along the line of centres, and after the hit they still come nearer, with %3 m/s; they should part with e times as much as they met with: with e = %4, %5 m/s</source>
         <translation>Au pas %1, les cercles se sont rencontrés à %2 m/s le long de la ligne des centres, et après le choc ils se rapprochent encore, à %3 m/s&#xa0;; ils devraient se séparer à e fois cette vitesse&#xa0;: avec e = %4, à %5 m/s</translation>
     </message>
@@ -1121,8 +1113,24 @@
         <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s, alors que les cercles s&apos;éloignaient l&apos;un de l&apos;autre et que l&apos;autre gardait la sienne&#xa0;; elle doit rester telle qu&apos;elle était</translation>
     </message>
     <message>
-        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged when its motion is right</source>
-        <translation>Au pas %1, où il ne touche rien, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m, et la pesanteur ajoute au plus %5 m. Les chocs seront jugés quand son mouvement sera juste</translation>
+        <source>At step %1, while the circles did not come nearer, the total momentum changed from %2 to %3 kg m/s; it should stay</source>
+        <translation>Au pas %1, où les cercles ne se rapprochaient pas, la quantité de mouvement totale est passée de %2 à %3 kg m/s&#xa0;; elle doit se conserver</translation>
+    </message>
+    <message>
+        <source>At step %1, while the circles did not come nearer, the kinetic energy changed from %2 to %3 J; it should stay</source>
+        <translation>Au pas %1, où les cercles ne se rapprochaient pas, l&apos;énergie cinétique est passée de %2 à %3 J&#xa0;; elle doit se conserver</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m. Hits are judged once this is mended</source>
+        <translation>Au pas %1, où il ne touche rien, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m. Les chocs seront jugés une fois cela corrigé</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, circle %2 moved by %3 m; its velocity times the timestep is %4 m, and gravity adds at most %5 m. Hits are judged once this is mended</source>
+        <translation>Au pas %1, où il ne touche rien, le cercle %2 s&apos;est déplacé de %3 m&#xa0;; sa vitesse multipliée par le pas de temps donne %4 m, et la pesanteur ajoute au plus %5 m. Les chocs seront jugés une fois cela corrigé</translation>
+    </message>
+    <message>
+        <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>Au pas %1, où il ne touche rien, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés une fois cela corrigé</translation>
     </message>
 </context>
 <context>
@@ -4459,10 +4467,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Quelle que soit la vitesse essayée, il a ensuite %1 m/s le long de la normale&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
     </message>
     <message>
-        <source>Here it still points into the wall.</source>
-        <translation>Ici, elle pointe encore vers la paroi.</translation>
-    </message>
-    <message>
         <source>Started at rest at two places, it is at one and the same place two steps later. A step *adds* a way to the old position.</source>
         <translation>Parti au repos de deux positions, il est deux pas plus tard à une seule et même position. Un pas *ajoute* un chemin à l&apos;ancienne position.</translation>
     </message>
@@ -4485,6 +4489,18 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>Thrown at each of them, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
         <translation>Lancé contre chacune, on passe au travers (%who)&#xa0;; contre %1, à %2 m/s. Regardez si votre programme demande ce qu&apos;il en est des parois (%who), et si la réponse est parfois oui.</translation>
+    </message>
+    <message>
+        <source>In its first %1 s their rims come no nearer than %2 m, at %3 s. Look at the positions and velocities that they start with.</source>
+        <translation>Pendant ses %1 premières secondes, leurs bords ne s&apos;approchent pas à moins de %2 m, à %3 s. Regarde avec quelles positions et quelles vitesses ils partent.</translation>
+    </message>
+    <message>
+        <source>The circles of your scene do not meet</source>
+        <translation>Les cercles de ta scène ne se rencontrent pas</translation>
+    </message>
+    <message>
+        <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
+        <translation>Le cercle %5 est arrivé contre %1 à %2 m/s et va à %3 m/s après le choc, toujours vers l&apos;extérieur&#xa0;; il faut %4 m/s.</translation>
     </message>
 </context>
 <context>

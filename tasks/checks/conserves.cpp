@@ -64,6 +64,13 @@ bool isFarApart(const Observation &o, const motion::Contact &contact, Vec2 gravi
                                  + motion::travel(o, 1, contact.step, gravity);
 }
 
+/// Whether they were coming no nearer when that step began.
+bool isParting(const Observation &o, const motion::Contact &contact)
+{
+    const Vec2 d = o.circle(1, contact.step).position - o.circle(0, contact.step).position;
+    return dot(contact.beforeB - contact.beforeA, d) >= 0.0;
+}
+
 std::vector<motion::Contact> contacts(const CheckSpec &check, const Observation &o)
 {
     return motion::contactsOf(o, 0, 1, motion::gravityOf(check, o));
@@ -100,6 +107,10 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
                 isFarApart(o, contact, gravity)
                     ? ConserveText::tr("At step %1, where the circles do not touch, the total "
                                        "momentum changed from %2 to %3 kg m/s; it should stay")
+                : isParting(o, contact)
+                    ? ConserveText::tr("At step %1, while the circles did not come nearer, the "
+                                       "total momentum changed from %2 to %3 kg m/s; it should "
+                                       "stay")
                     : ConserveText::tr("At step %1 the hit changed the total momentum from %2 to "
                                        "%3 kg m/s; it should stay");
             return Fault{.message =
@@ -118,6 +129,9 @@ std::optional<Fault> conserves(const CheckSpec &check, const Observation &o)
                 isFarApart(o, contact, gravity)
                     ? ConserveText::tr("At step %1, where the circles do not touch, the kinetic "
                                        "energy changed from %2 to %3 J; it should stay")
+                : isParting(o, contact)
+                    ? ConserveText::tr("At step %1, while the circles did not come nearer, the "
+                                       "kinetic energy changed from %2 to %3 J; it should stay")
                     : ConserveText::tr("At step %1 the hit changed the kinetic energy from %2 to "
                                        "%3 J; it should stay");
             return Fault{.message = text.arg(QString::number(contact.step + 1),
@@ -164,12 +178,18 @@ std::optional<Fault> afterContact(const CheckSpec &check, const Observation &o)
 
 std::optional<Fault> losesEnergy(const CheckSpec &check, const Observation &o)
 {
-    const auto found = contacts(check, o);
+    const Vec2 gravity = motion::gravityOf(check, o);
+    auto found = contacts(check, o);
+    std::erase_if(found, [&](const motion::Contact &contact) {
+        return isFarApart(o, contact, gravity) || isParting(o, contact);
+    });
     if (found.empty())
         return noContact();
     const Balance b = balanceOf(o, found.front());
     if (b.energyAfter < b.energyBefore * (1.0 - visibleLoss))
         return std::nullopt;
+    if (auto fault = motion::steadyFaultOf(o, 0, 1, gravity))
+        return fault;
     return Fault{.message =
                      ConserveText::tr("At step %1 the kinetic energy was %2 J before the hit "
                                       "and %3 J after it; with e below 1 it should be less")

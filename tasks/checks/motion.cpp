@@ -84,11 +84,11 @@ Fault strayFault(const Observation &o, int i, qint64 k, Vec2 gravity)
     const QString text =
         fall == Vec2{}
             ? MotionText::tr("At step %1, where it touches nothing, circle %2 moved by %3 m; its "
-                             "velocity times the timestep is %4 m. Hits are judged when its motion "
-                             "is right")
+                             "velocity times the timestep is %4 m. Hits are judged once this is "
+                             "mended")
             : MotionText::tr("At step %1, where it touches nothing, circle %2 moved by %3 m; its "
                              "velocity times the timestep is %4 m, and gravity adds at most %5 m. "
-                             "Hits are judged when its motion is right")
+                             "Hits are judged once this is mended")
                   .replace(QLatin1String("%5"), figure(fall));
     return {.message = text.arg(QString::number(k + 1), QString::number(i + 1),
                                 figureBeside(moved, way), figureBeside(way, moved)),
@@ -148,7 +148,7 @@ Fault changedInOpen(const Observation &o, int i, qint64 k, Vec2 gravity)
     const bool x = std::abs(after.x - right.x) > std::abs(after.y - right.y);
     return {.message = MotionText::tr("At step %1, where it touches nothing, the velocity of "
                                       "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
-                                      "judged when its motion is right")
+                                      "judged once this is mended")
                            .arg(QString::number(k + 1), QString::number(i + 1),
                                 figureBeside(before, after), figureBeside(after, right),
                                 figureBeside(right, after)),

@@ -6,6 +6,7 @@
 #include "tasks/judging/fault_lines.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/last_assignment.h"
+#include "tasks/judging/own_meeting_words.h"
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/step_deviations.h"
 #include "tasks/judging/task_laws.h"
@@ -56,6 +57,7 @@ public:
             if (aspect == Aspect::Motion)
                 m_motion = std::move(said);
         }
+        takeMissedMeeting();
         takeRestitution();
         return std::move(m_findings);
     }
@@ -71,13 +73,31 @@ private:
                         [](const Finding &f) { return !f.mistake.isEmpty(); }))
             return;
         const auto e = otherRestitution(m_task, m_submission, m_checks);
-        if (!e)
+        if (e)
+            addToStart(*e);
+    }
+
+    /// That there is no hit to be seen, where neither the start nor what comes before hits explains
+    /// it.
+    void takeMissedMeeting()
+    {
+        if (std::any_of(m_findings.begin(), m_findings.end(),
+                        [](const Finding &f) { return f.aspect < Aspect::Contact; }))
             return;
+        if (const auto missed = missedMeeting(m_task, m_submission, m_checks))
+            addToStart(*missed);
+    }
+
+    /// Behind what is said of the start, before all else.
+    void addToStart(const LawDeviation &deviation)
+    {
         if (m_findings.empty())
-            return take(Aspect::Start, {*e});
-        const auto place = at - m_findings.begin();
-        add(*e, {}, e->message);
-        std::rotate(m_findings.begin() + place, m_findings.end() - 1, m_findings.end());
+            return take(Aspect::Start, {deviation});
+        const auto isLater = [](const Finding &f) { return f.aspect != Aspect::Start; };
+        const auto place = std::find_if(m_findings.begin(), m_findings.end(), isLater);
+        const auto at = place - m_findings.begin();
+        add(deviation, {}, deviation.message);
+        std::rotate(m_findings.begin() + at, m_findings.end() - 1, m_findings.end());
     }
 
     /// Instructions that an update takes; a program of the lab takes some hundred.

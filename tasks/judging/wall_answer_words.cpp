@@ -169,10 +169,14 @@ private:
         const Vec2 n = outwardNormal(hit.wall);
         const Vec2 t = perpendicular(n);
         const Vec2 good = -right.back * dot(hit.came, n) * n + right.along * dot(hit.came, t) * t;
+        const QString text =
+            hit.back < -blur()
+                ? WallText::tr("Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, "
+                               "still into it; %4 m/s is right.")
+                : WallText::tr("Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 "
+                               "m/s is right.");
         return withE(hit)
-               + WallText::tr("Circle %5 came to the %1 with %2 m/s and left it with %3 m/s; %4 "
-                              "m/s is right.")
-                     .arg(motion::wallName(hit.wall), brief(hit.came), briefBeside(hit.left, good),
+               + text.arg(motion::wallName(hit.wall), brief(hit.came), briefBeside(hit.left, good),
                           briefBeside(good, hit.left))
                      .arg(hit.circle + 1);
     }
@@ -287,11 +291,7 @@ private:
             return {WallText::tr("Hits at the %walls give %who a speed of their own"),
                     WallText::tr("From every speed tried it has %1 m/s along the normal "
                                  "afterwards: work the new velocity out from the old one.")
-                            .arg(brief(*speed))
-                        + (hit.back < 0.0 ? QLatin1Char(' ')
-                                                + WallText::tr("Here it still points into the "
-                                                               "wall.")
-                                          : QString())};
+                        .arg(brief(*speed))};
         if (hit.back < 0.0)
             return {WallText::tr("Hits at the %walls leave %who moving outward"),
                     WallText::tr("Its velocity still points into the wall: look at what it is "

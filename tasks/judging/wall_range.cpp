@@ -211,6 +211,7 @@ Stage WallRange::stageOf(const WallHit &hit, double speed, double share, const A
     const double room = aim.isNear
                             ? hit.radius + (2.3 + share) * step
                             : 2.4 * std::max(hit.radius, hit.otherRadius) + (0.3 + share) * step;
+    double out = 0.4; // of the next of the others: where no circle is shot, along x or along y
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
         Circle &c = preset.circles[i].body;
         if (static_cast<int>(i) == hit.circle) {
@@ -222,8 +223,8 @@ Stage WallRange::stageOf(const WallHit &hit, double speed, double share, const A
         } else {
             // The others fly on in the middle; what happens at the wall is not their affair.
             c.radius = hit.otherRadius;
-            const double out = 0.4 + 0.9 * static_cast<double>(i);
             c.position = aim.setting == 0 ? out * t - 0.6 * n : -out * t - 1.7 * n;
+            out += 0.9;
             const Flight &flight = flightOf(static_cast<int>(i));
             c.velocity = (m_falls ? fallingHaste : 1.0) / std::max(1.0, flight.way.x) * aim.others;
         }

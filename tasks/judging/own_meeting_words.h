@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/deviation.h"
+#include "tasks/lab/lab.h"
+#include "tasks/runs/submission.h"
+
+#include <optional>
+
+namespace cradle {
+
+/// That circles 1 and 2 of its own scene never meet, where a failed check waits for their hit; they
+/// fly and turn at walls as they should.
+/// \param checks  what became of the checks
+/// \return nothing if they meet, or if something away from walls changes a velocity
+[[nodiscard]] std::optional<LawDeviation> missedMeeting(const Task &task,
+                                                        const Submission &submission,
+                                                        const std::vector<CheckOutcome> &checks);
+
+} // namespace cradle
