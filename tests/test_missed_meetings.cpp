@@ -102,6 +102,10 @@ void TestMissedMeetings::whatDividesThemIsTold_data()
     said({"L42T12"}, "near the middle",
          {.approach = text("closing > 0 and (p.position + q.position):length() < 4.4")},
          text(": all up to 2.18 m from (0, 0), none from 2.21 m on."));
+    said({"L42T12"}, "circle 1 on the left", {.approach = text("closing > 0 and p.position.x < 0")},
+         text(", where circle 1 was"));
+    said({"L42T12"}, "circle 2 far down", {.approach = text("closing > 0 and q.position.y < -0.8")},
+         text(", where circle 2 was"));
 }
 
 void TestMissedMeetings::whatDividesThemIsTold()

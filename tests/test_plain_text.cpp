@@ -49,6 +49,8 @@ void TestPlainText::marksGiveWayToText_data()
     row("unknown command", "$\\sin x$", "sin x");
     row("brace not closed", "a $\\frac{$ b", "a $\\frac{$ b");
     row("brace not opened", "$x}$", "$x}$");
+    row("braces the wrong way", "$}x{$", "$}x{$");
+    row("escaped braces", "a $\\{x$", "a {x");
     row("money", "$5 and $6", "$5 and $6");
     row("strong and emphasis", "the **whole** *old* place", "the whole old place");
     row("formula in strong", "**at $x_1$**", "at x_1");

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <utility>
 
 namespace cradle {
 
@@ -65,7 +66,7 @@ QString plainFormula(QString tex)
     static const QRegularExpression space(QStringLiteral(R"(\\[,;:! ]|~)"));
     static const QRegularExpression command(QStringLiteral(R"(\\([A-Za-z]+)\s*)"));
     static const QRegularExpression power(QStringLiteral(R"(\^\{?([0-9])\}?(?![0-9]))"));
-    static const QRegularExpression braces(QStringLiteral(R"([{}])"));
+    static const QRegularExpression braces(QStringLiteral(R"(\\?([{}]))"));
     const auto part = [](const QString &term) {
         static const QRegularExpression sum(QStringLiteral(R"(\S\s*[-+/]\s*\S)"));
         return term.contains(sum) ? QLatin1Char('(') + term + QLatin1Char(')') : term;
@@ -82,19 +83,23 @@ QString plainFormula(QString tex)
     tex = replaced(tex, power, [](const QRegularExpressionMatch &m) {
         return QString(QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹").at(m.captured(1).toInt()));
     });
-    tex.remove(braces);
+    tex = replaced(tex, braces, [](const QRegularExpressionMatch &m) {
+        return m.capturedLength() == 2 ? m.captured(1) : QString();
+    });
     return tex.simplified();
 }
 
 /// Whether every brace of a formula has its other; else it is none, and stands as it was written.
-bool isBalanced(const QString &tex)
+bool isBalanced(QString tex)
 {
+    static const QRegularExpression escaped(QStringLiteral(R"(\\.)"));
+    tex.remove(escaped);
     int open = 0;
-    for (qsizetype i = 0; i < tex.size() && open >= 0; ++i) {
-        if (tex[i] == QLatin1Char('\\'))
-            ++i;
-        else if (tex[i] == QLatin1Char('{') || tex[i] == QLatin1Char('}'))
-            open += tex[i] == QLatin1Char('{') ? 1 : -1;
+    for (const QChar c : std::as_const(tex)) {
+        if (c == QLatin1Char('{'))
+            ++open;
+        else if (c == QLatin1Char('}') && --open < 0)
+            return false;
     }
     return open == 0;
 }
