@@ -130,7 +130,10 @@ void TestStudentScript::sceneOfTheWorldIsFixedWhileItRuns_data()
     QTest::newRow("restitution") << lua("restitution = 1") << lua("`restitution` is set once");
     QTest::newRow("time") << lua("time = 1") << lua("`time` can only be read");
     QTest::newRow("step") << lua("step = 1") << lua("`step` can only be read");
-    QTest::newRow("square") << lua("square.left = 1") << lua("the square can only be read");
+    for (const char *given : {"circle1", "circle2", "circles", "square", "vec"})
+        QTest::addRow("%s", given)
+            << lua("%1 = 1").arg(lua(given)) << lua("`%1` is given by the lab").arg(lua(given));
+    QTest::newRow("wall") << lua("square.left = 1") << lua("the square can only be read");
     QTest::newRow("index") << lua("circle1.index = 2") << lua("circle1.index is given");
     QTest::newRow("list") << lua("circles[3] = circle1") << lua("circles cannot be added");
 }
