@@ -24,6 +24,7 @@ private slots:
     void fileFindsThePresetInPlace();
     void lawsMoveWithoutAnUpdate();
     void updateAloneMovesTheCircles();
+    void vectorsAreThoseOfTheMoment();
     void loadChangesTheScene();
     void pinnedSceneKeepsItsValues();
     void sceneOfTheWorldIsFixedWhileItRuns_data();
@@ -76,6 +77,30 @@ void TestStudentScript::updateAloneMovesTheCircles()
     VERIFY_RUNS(run);
     QCOMPARE(run.circle(1), twoCircles().circles[0].body);
     QCOMPARE(run.circle(2).position.x, 3.0);
+}
+
+/// Also where a circle was set from outside between two updates; 0 and -0 are told apart.
+void TestStudentScript::vectorsAreThoseOfTheMoment()
+{
+    StudentScript program(lua(R"lua(
+function on_update(dt)
+  local old = circle1.position
+  print(old, circle1.position, 1 / circle1.velocity.x)
+  circle1.position = old + vec(1, 1)
+  print(old, circle1.position)
+end)lua"));
+    Preset scene = twoCircles();
+    QVERIFY(!program.begin(scene));
+    World world = initialWorld(scene);
+    QString text;
+    for (const double zero : {0.0, -0.0}) {
+        world.circles[0].velocity = {zero, 1.0};
+        QVERIFY(!program.advance(world, 0.1));
+        text += program.takeOutput().text;
+        world.circles[0].position = {-3.0, 0.5};
+    }
+    QCOMPARE(text, lua("(-2, 2)\t(-2, 2)\tinf\n(-2, 2)\t(-1, 3)\n"
+                       "(-3, 0.5)\t(-3, 0.5)\t-inf\n(-3, 0.5)\t(-2, 1.5)\n"));
 }
 
 void TestStudentScript::loadChangesTheScene()

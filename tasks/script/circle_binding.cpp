@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <new>
 
 namespace cradle {
@@ -74,10 +75,14 @@ const char *keyAt(lua_State *L, int index, int circle)
                  .arg(nameOf(circle), nameValue(L, index)));
 }
 
+/// What goes with a circle in Lua: a table of the program's own fields, and the vectors of its
+/// place and its velocity that the program read or assigned last.
+enum Companion { OwnFields = 1, LastPosition, LastVelocity };
+
 /// A field of the program's own, or an error that names the nearest.
 int pushOwnField(lua_State *L, int circle, const char *key)
 {
-    lua_getiuservalue(L, 1, 1);
+    lua_getiuservalue(L, 1, OwnFields);
     lua_pushvalue(L, 2);
     if (lua_rawget(L, -2) != LUA_TNIL)
         return 1;
@@ -103,16 +108,28 @@ int pushOwnField(lua_State *L, int circle, const char *key)
                  .arg(nameOf(circle), name, engineFields().join(QStringLiteral(", "))));
 }
 
+/// Vectors never change: while the circle has the same, the program gets the one that it had.
+void pushVectorOf(lua_State *L, Companion last, Vec2 value)
+{
+    lua_getiuservalue(L, 1, last);
+    // 0 and -0 are two.
+    if (const Vec2 *kept = vectorAt(L, -1); kept && std::memcmp(kept, &value, sizeof value) == 0)
+        return;
+    pushVector(L, value);
+    lua_pushvalue(L, -1);
+    lua_setiuservalue(L, 1, last);
+}
+
 int index(lua_State *L)
 {
     const int circle = circleAt(L, 1);
     const Circle &c = ScriptHost::of(L).circles[static_cast<std::size_t>(circle)];
     switch (fieldAt(L, 2)) {
     case Field::Position:
-        pushVector(L, c.position);
+        pushVectorOf(L, LastPosition, c.position);
         return 1;
     case Field::Velocity:
-        pushVector(L, c.velocity);
+        pushVectorOf(L, LastVelocity, c.velocity);
         return 1;
     case Field::Radius:
         lua_pushnumber(L, c.radius);
@@ -192,6 +209,8 @@ int setField(lua_State *L)
         if (host.loading && value != old)
             refuseIfLocked(L, circle, key);
         old = value;
+        lua_settop(L, 3);
+        lua_setiuservalue(L, 1, *key == 'p' ? LastPosition : LastVelocity);
         return 0;
     }
     case Field::Radius:
@@ -211,7 +230,7 @@ int setField(lua_State *L)
     case Field::Own:
         break;
     }
-    lua_getiuservalue(L, 1, 1);
+    lua_getiuservalue(L, 1, OwnFields);
     lua_pushvalue(L, 2);
     if (lua_rawget(L, -2) == LUA_TNIL)
         refuseSlip(L, circle, key);
@@ -255,9 +274,10 @@ void pushCircles(lua_State *L)
     const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
     lua_createtable(L, count, 0);
     for (int i = 0; i < count; ++i) {
-        new (lua_newuserdatauv(L, sizeof(CircleObject), 1)) CircleObject{ObjectKind::Circle, i};
+        new (lua_newuserdatauv(L, sizeof(CircleObject), LastVelocity))
+            CircleObject{ObjectKind::Circle, i};
         lua_newtable(L);
-        lua_setiuservalue(L, -2, 1);
+        lua_setiuservalue(L, -2, OwnFields);
         lua_rawgeti(L, LUA_REGISTRYINDEX, registry::circleMetatable);
         lua_setmetatable(L, -2);
         lua_rawseti(L, -2, i + 1);
@@ -273,7 +293,7 @@ std::vector<CircleField> ownFields(lua_State *L)
     const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
     for (int i = 0; i < count; ++i) {
         pushCircle(L, i);
-        lua_getiuservalue(L, -1, 1);
+        lua_getiuservalue(L, -1, OwnFields);
         const std::size_t before = fields.size();
         lua_pushnil(L);
         while (lua_next(L, -2) != 0) {
