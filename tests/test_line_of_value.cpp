@@ -224,6 +224,15 @@ void TestLineOfValue::findingMarksTheLine_data()
     method("method chosen at the start", "{\"euler\", \"symplectic\"}", "{\"euler\", \"euler\"}");
     method("new state: not turned", "> high and vx > 0 then return -vx",
            "> high and vx > 0 then return vx");
+    // Who only sets what he is given is right: whoever calls him gave it.
+    const QString given =
+        QStringLiteral("local function put(c, p, v)\n  c.position, c.velocity = p, v\nend\n")
+        + QString::fromLatin1(helpers).replace(
+            QLatin1String("circle2.position, circle2.velocity = vec(0, 2), vec(-1, 0)"),
+            QLatin1String("put(circle2, vec(0, 2), vec(-1, 0))"));
+    rowOfStep("start: a call, right", "L42T15", given, "vec(0, 2), vec(-1, 0)",
+              "vec(0, 2), vec(-1, 0)");
+    rowOfStep("start: a call", "L42T15", given, "vec(0, 2), vec(-1, 0)", "vec(0, 2), vec(1, 0)");
 }
 
 QTEST_GUILESS_MAIN(TestLineOfValue)

@@ -3,6 +3,7 @@
 #include "tasks/judging/last_assignment.h"
 
 #include "tasks/judging/line_guess.h"
+#include "tasks/judging/program_statements.h"
 
 #include <algorithm>
 
@@ -10,7 +11,28 @@ namespace cradle {
 
 namespace {
 
-/// The assignment that gave a circle or the scene a wrong value before the first step.
+/// Whether a line only sets what the function in which it stands is given.
+bool setsWhatIsGiven(const ProgramLines &program, int line)
+{
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    const ProgramFunction *function = functionAt(functions, line);
+    bool isGiven = false;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        if (each.line != line)
+            continue;
+        const QStringList values = valuesIn(program, each.from, each.to);
+        isGiven = function && !values.isEmpty() && isHandedOn(program, each)
+                  && std::all_of(values.begin(), values.end(), [&](const QString &value) {
+                         return function->parameters.contains(value);
+                     });
+        if (!isGiven)
+            return false;
+    }
+    return isGiven;
+}
+
+/// The assignment that gave a circle or the scene a wrong value before the first step, or the
+/// call that told it which.
 void markStart(Finding &finding, const Moment &moment, const Task &task,
                const Submission &submission)
 {
@@ -22,6 +44,11 @@ void markStart(Finding &finding, const Moment &moment, const Task &task,
             continue;
         finding.line = assignment.line;
         finding.calls = assignment.calls;
+    }
+    const ProgramLines program(*submission.script);
+    while (!finding.calls.empty() && setsWhatIsGiven(program, finding.line)) {
+        finding.line = finding.calls.back();
+        finding.calls.pop_back();
     }
     if (finding.line == 0 && circle < 0)
         finding.line = hidingLine(*submission.script, *moment.start);
