@@ -84,7 +84,7 @@ void TestToldCarried::velocityThatIsSetIsTold()
     QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[2], n[3]}));
 }
 
-/// Circle 2 has what circle 1 had, and what gravity adds.
+/// Circle 2 has what circle 1 had, with gravity added.
 void TestToldCarried::velocityOfAnotherIsTold()
 {
     const QString said =
@@ -94,8 +94,8 @@ void TestToldCarried::velocityOfAnotherIsTold()
                             "circle1.velocity = v + gravity * h "
                             "circle2.velocity = v + gravity * h end"),
              "The velocity of circle 2 is taken from circle 1");
-    const auto n = numbersIn(said, "it has one step later what circle # had, and what gravity "
-                                   "adds: started with (#, #) m/s, it has (#, #) m/s.");
+    const auto n = numbersIn(said, "what it has one step later comes from the velocity of circle "
+                                   "#: started with (#, #) m/s, it has (#, #) m/s.");
     QVERIFY2(n.size() == 5, qPrintable(said));
     QCOMPARE(n[0], 1.0);
     QVERIFY(!isNear(Vec2{n[1], n[2] - 9.81 / 60.0}, Vec2{n[3], n[4]}));

@@ -3730,10 +3730,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>من كل بداية جُرّبت تكون الاثنتان في الموضع نفسه بعد خطوة واحدة. لكل دائرة موضع وسرعة خاصان بها وتمضي منهما: انظر ماذا تأخذ أسطر الأولى من الأخرى.</translation>
     </message>
     <message>
-        <source>With every velocity tried it has one step later what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>مع كل سرعة جُرّبت تصير بعد خطوة واحدة سرعةَ الدائرة ⁨%1⁩ وما تضيفه الجاذبية: من ⁦%2 m/s⁩ في البداية إلى ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
         <translation>من بداية بسرعة ⁦%1 m/s⁩ تكون السرعة بعد خطوة واحدة ⁦%2 m/s⁩، وهكذا من كل بداية أخرى جُرّبت. الخطوة تحسب السرعة الجديدة من سرعة الدائرة التي ربما غيّرها تصادم؛ أما البداية فتُضبط مرة واحدة، في ⁦`on_load`⁩.</translation>
     </message>
@@ -4391,10 +4387,6 @@ Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle
         <translation>كل خطوة تضع %who عند قيمة y نفسها</translation>
     </message>
     <message>
-        <source>From every start tried it comes there, and stays. A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
-        <translation>من كل بداية جُرّبت تصل الدائرة إلى هناك وتبقى. الخطوة *تضيف* مسافة إلى الموضع القديم: انظر إلى الأسطر التي تضعها هناك، وإلى ما يُسأل قبلها.</translation>
-    </message>
-    <message>
         <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
         <translation>من بداية عند ⁦%1 m⁩ بسرعة ⁦%2 m/s⁩ تكون الدائرة بعد خطوة واحدة من ⁦%4 s⁩ عند ⁦%3 m⁩.</translation>
     </message>
@@ -4553,6 +4545,26 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
         <translation>جاءت الدائرة ⁨%5⁩ إلى ⁨%1⁩ بسرعة ⁦%2 m/s⁩ وسرعتها بعد التصادم ⁦%3 m/s⁩ وما زالت نحو الخارج؛ الصواب ⁦%4 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>However it is started, what it has one step later comes from the velocity of circle %1: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>كيفما كانت البداية تأتي السرعة بعد خطوة واحدة من سرعة الدائرة ⁨%1⁩: من ⁦%2 m/s⁩ في البداية إلى ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes there, and stays.</source>
+        <translation>من كل بداية جُرّبت تصل الدائرة إلى هناك وتبقى.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes to that x, and keeps it.</source>
+        <translation>من كل بداية جُرّبت تصل الدائرة إلى قيمة x هذه وتبقى عليها.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes to that y, and keeps it.</source>
+        <translation>من كل بداية جُرّبت تصل الدائرة إلى قيمة y هذه وتبقى عليها.</translation>
+    </message>
+    <message>
+        <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
+        <translation>الخطوة *تضيف* مسافة إلى الموضع القديم: انظر إلى الأسطر التي تضعها هناك، وإلى ما يُسأل قبلها.</translation>
     </message>
 </context>
 <context>

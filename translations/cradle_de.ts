@@ -3706,10 +3706,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Nach jedem versuchten Start sind die beiden einen Schritt später am selben Ort. Jeder Kreis hat einen eigenen Ort und eine eigene Geschwindigkeit und geht von diesen weiter: Sieh nach, was die Zeilen für den einen vom anderen nehmen.</translation>
     </message>
     <message>
-        <source>With every velocity tried it has one step later what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>Mit jeder versuchten Geschwindigkeit ist es einen Schritt später die von Kreis %1 und was die Schwerkraft hinzufügt: Aus %2 m/s am Anfang werden %3 m/s. Jeder Kreis geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in der Zeile an, die sie ändert.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
         <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s, und das nach jedem anderen versuchten Start. Ein Schritt rechnet die neue Geschwindigkeit aus der aus, die der Kreis hat und die ein Stoß geändert haben kann; der Start wird einmal gesetzt, in `on_load`.</translation>
     </message>
@@ -4339,10 +4335,6 @@ Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 
         <translation>Jeder Schritt setzt %who auf dasselbe y</translation>
     </message>
     <message>
-        <source>From every start tried it comes there, and stays. A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
-        <translation>Nach jedem versuchten Start kommt der Kreis dorthin und bleibt. Ein Schritt *addiert* einen Weg zum alten Ort: Sieh dir die Zeilen an, die ihn dorthin setzen, und was vor ihnen gefragt wird.</translation>
-    </message>
-    <message>
         <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
         <translation>Bei %1 m mit %2 m/s gestartet, ist der Kreis einen Schritt von %4 s später bei %3 m.</translation>
     </message>
@@ -4501,6 +4493,26 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
         <translation>Kreis %5 kam mit %2 m/s an %1 an und hat nach dem Stoß %3 m/s, immer noch nach außen; richtig ist %4 m/s.</translation>
+    </message>
+    <message>
+        <source>However it is started, what it has one step later comes from the velocity of circle %1: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>Wie auch gestartet, kommt die Geschwindigkeit einen Schritt später von der von Kreis %1: Aus %2 m/s am Anfang werden %3 m/s. Jeder Kreis geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in der Zeile an, die sie ändert.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes there, and stays.</source>
+        <translation>Nach jedem versuchten Start kommt der Kreis dorthin und bleibt.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes to that x, and keeps it.</source>
+        <translation>Nach jedem versuchten Start kommt der Kreis zu diesem x und behält es.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes to that y, and keeps it.</source>
+        <translation>Nach jedem versuchten Start kommt der Kreis zu diesem y und behält es.</translation>
+    </message>
+    <message>
+        <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
+        <translation>Ein Schritt *addiert* einen Weg zum alten Ort: Sieh dir die Zeilen an, die den Kreis dorthin setzen, und was vor ihnen gefragt wird.</translation>
     </message>
 </context>
 <context>

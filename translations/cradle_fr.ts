@@ -3706,10 +3706,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Depuis chaque départ essayé, les deux sont au même endroit un pas plus tard. Chaque cercle a sa propre position et sa propre vitesse et continue à partir d&apos;elles&#xa0;: regardez ce que les lignes de l&apos;un prennent à l&apos;autre.</translation>
     </message>
     <message>
-        <source>With every velocity tried it has one step later what circle %1 had, and what gravity adds: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
-        <translation>Avec chaque vitesse essayée, elle est un pas plus tard celle du cercle %1, plus ce que la pesanteur ajoute&#xa0;: de %2 m/s au départ, elle passe à %3 m/s. Chaque cercle part de sa propre vitesse&#xa0;: regardez les noms dans la ligne qui la change.</translation>
-    </message>
-    <message>
         <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried. A step works the new velocity out from the one that the circle has, which a hit may have changed; a start is set once, in `on_load`.</source>
         <translation>Partie de %1 m/s, la vitesse vaut %2 m/s un pas plus tard, et autant pour tout autre départ essayé. Un pas calcule la nouvelle vitesse à partir de celle du cercle, qu&apos;un choc a pu changer&#xa0;; le départ se fixe une fois, dans `on_load`.</translation>
     </message>
@@ -4339,10 +4335,6 @@ Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt,
         <translation>Chaque pas met %who au même y</translation>
     </message>
     <message>
-        <source>From every start tried it comes there, and stays. A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
-        <translation>Depuis chaque départ essayé, le cercle y arrive et y reste. Un pas *ajoute* un chemin à l&apos;ancienne position&#xa0;: regardez les lignes qui l&apos;y mettent, et ce qui est demandé avant elles.</translation>
-    </message>
-    <message>
         <source>Started at %1 m with %2 m/s, it is at %3 m one step of %4 s later.</source>
         <translation>Parti de %1 m avec %2 m/s, le cercle est à %3 m un pas de %4 s plus tard.</translation>
     </message>
@@ -4501,6 +4493,26 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
         <translation>Le cercle %5 est arrivé contre %1 à %2 m/s et va à %3 m/s après le choc, toujours vers l&apos;extérieur&#xa0;; il faut %4 m/s.</translation>
+    </message>
+    <message>
+        <source>However it is started, what it has one step later comes from the velocity of circle %1: started with %2 m/s, it has %3 m/s. Each circle goes on from its own velocity: look at the names in the line that changes it.</source>
+        <translation>Quel que soit le départ, la vitesse un pas plus tard vient de celle du cercle %1&#xa0;: de %2 m/s au départ, elle passe à %3 m/s. Chaque cercle part de sa propre vitesse&#xa0;: regardez les noms dans la ligne qui la change.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes there, and stays.</source>
+        <translation>Depuis chaque départ essayé, le cercle y arrive et y reste.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes to that x, and keeps it.</source>
+        <translation>Depuis chaque départ essayé, le cercle arrive à cet x et le garde.</translation>
+    </message>
+    <message>
+        <source>From every start tried it comes to that y, and keeps it.</source>
+        <translation>Depuis chaque départ essayé, le cercle arrive à cet y et le garde.</translation>
+    </message>
+    <message>
+        <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
+        <translation>Un pas *ajoute* un chemin à l&apos;ancienne position&#xa0;: regardez les lignes qui mettent le cercle là, et ce qui est demandé avant elles.</translation>
     </message>
 </context>
 <context>

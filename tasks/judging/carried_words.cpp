@@ -31,10 +31,10 @@ public:
         if (f.borrows >= 0 && right().borrows < 0)
             return said(
                 FlightText::tr("The velocity of %who is taken from circle %1").arg(f.borrows + 1),
-                FlightText::tr("With every velocity tried it has one step later what "
-                               "circle %1 had, and what gravity adds: started with %2 "
-                               "m/s, it has %3 m/s. Each circle goes on from its own "
-                               "velocity: look at the names in the line that changes it.")
+                FlightText::tr("However it is started, what it has one step later comes from "
+                               "the velocity of circle %1: started with %2 m/s, it has %3 m/s. "
+                               "Each circle goes on from its own velocity: look at the names in "
+                               "the line that changes it.")
                     .arg(f.borrows + 1)
                     .arg(brief(f.startedWith), brief(f.turnedInto)),
                 false);

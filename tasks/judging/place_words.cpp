@@ -36,9 +36,12 @@ public:
             isSetX && isSetY ? FlightText::tr("Every step puts %who at the same place")
             : isSetX         ? FlightText::tr("Every step puts %who at the same x")
                              : FlightText::tr("Every step puts %who at the same y"),
-            FlightText::tr("From every start tried it comes there, and stays. A step *adds* "
-                           "a way to the old position: look at the lines that put it "
-                           "there, and at what is asked before them."));
+            (isSetX && isSetY ? FlightText::tr("From every start tried it comes there, and stays.")
+             : isSetX ? FlightText::tr("From every start tried it comes to that x, and keeps it.")
+                      : FlightText::tr("From every start tried it comes to that y, and keeps it."))
+                + QLatin1Char(' ')
+                + FlightText::tr("A step *adds* a way to the old position: look at the lines that "
+                                 "put it there, and at what is asked before them."));
     }
 
 private:
