@@ -117,6 +117,8 @@ void addFolders(const Made &made)
     made.file("cy/mine.lua");
     made.file("dan/one.lua", "-- 1\n");
     made.file("dan/two.lua", "-- 2\n");
+    made.file("don/lab (1).lua", "-- lab\n");
+    made.file("don/zed.lua", "-- zed\n");
     made.file("eve/L1.lua");
     made.file("eve/L2 (3).lua");
     made.file("eve/work.cradle-work", "an archive");
@@ -154,6 +156,8 @@ void addDownloads(const Made &made)
     made.file("Lab_x_ada1_attempt_2026-05-02-12-30-00_lab.lua", "-- new\n");
     made.file("Lab_x_ada1_attempt_2026-05-02-12-30-00.txt", "Name: Ada\nDate Submitted: later\n");
     made.file("Lab_bob_attempt_2026-05-02-12-30-00.txt", "Name: Bob");
+    made.file("Lab_x_cyd_attempt_2026-05-02-12-30-00_L1.lua");
+    made.file("Lab_x_cyd_attempt_2026-05-02-12-30-00_L2.lua");
 }
 
 void addClones(const Made &made)

@@ -24,6 +24,7 @@ private slots:
     void everyStepIsJudgedAnew();
     void sameWorkMakesTheSameFile();
     void plainFolderWillDo();
+    void filesOfAFolderAreBounded();
     void opensAsAWorkspaceToLookAt();
     void opensTheSameFolderAgain();
     void unzipReadsIt();
@@ -101,6 +102,16 @@ void TestHandIn::plainFolderWillDo()
     QCOMPARE(handIn->report.passedCount(), 1);
     QVERIFY(!QFile::exists(path("plain/.git"))); // only looked at
     QVERIFY(!gatherHandIn(m_lab, path("nowhere"), {}, 1, m_when));
+}
+
+/// At 8 MiB.
+void TestHandIn::filesOfAFolderAreBounded()
+{
+    QVERIFY(!makeFolder(path("large/notes")));
+    for (const int more : {0, 1}) {
+        QVERIFY(!writeFile(path("large/notes/BALL1.md"), QByteArray(8 * 1024 * 1024 + more, ' ')));
+        QCOMPARE(readWorkFiles(path("large")).ok(), more == 0);
+    }
 }
 
 void TestHandIn::opensAsAWorkspaceToLookAt()

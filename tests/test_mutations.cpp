@@ -21,6 +21,7 @@ private slots:
     void programIsCutIntoTokens();
     void physicalMistakesAreMade_data();
     void physicalMistakesAreMade();
+    void partsOfConditionsKeepTheirBrackets();
     void everyMutantCanBeRead();
     void missingTestIsFound();
     void cancelledSearchSaysNothing();
@@ -103,6 +104,20 @@ void TestMutations::physicalMistakesAreMade()
                                                QStringLiteral("(-2, circle1.velocity.x)"));
     const QStringList changes = changesOf(both);
     QVERIFY2(changes.contains(change), qPrintable(changes.join(QLatin1Char('\n'))));
+}
+
+/// A part of a condition is left out with its brackets, and none beyond those that it stands in.
+void TestMutations::partsOfConditionsKeepTheirBrackets()
+{
+    const QStringList changes = changesOf(QStringLiteral("function on_update(h)\n"
+                                                         "  if f(a) and g(c, (d)) then\n"
+                                                         "    x = 1\n"
+                                                         "  end\n"
+                                                         "  return (a or (b)) ~= not c\n"
+                                                         "end\n"));
+    for (const char *change : {"2: if g(c, (d)) then", "2: if f(a) then",
+                               "5: return ((b)) ~= not c", "5: return (a) ~= not c"})
+        QVERIFY2(changes.contains(QLatin1String(change)), qPrintable(changes.join(u'\n')));
 }
 
 void TestMutations::everyMutantCanBeRead()

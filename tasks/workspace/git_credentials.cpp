@@ -30,9 +30,13 @@ QMap<QByteArray, QByteArray> fill(const QUrl &url)
     process.setWorkingDirectory(QDir::rootPath());
     process.start(git, {QStringLiteral("credential"), QStringLiteral("fill")});
     // Encoded: a line end in an address would ask for what is another's.
-    process.write("protocol=" + url.scheme().toUtf8()
-                  + "\nhost=" + url.authority(QUrl::FullyEncoded).toUtf8()
-                  + "\npath=" + url.path(QUrl::FullyEncoded).mid(1).toUtf8() + "\n\n");
+    QString question =
+        QStringLiteral("protocol=%1\nhost=%2\npath=%3\n")
+            .arg(url.scheme(), url.adjusted(QUrl::RemoveUserInfo).authority(QUrl::FullyEncoded),
+                 url.path(QUrl::FullyEncoded).mid(1));
+    if (!url.userName().isEmpty())
+        question += QStringLiteral("username=%1\n").arg(url.userName(QUrl::FullyEncoded));
+    process.write(question.toUtf8() + '\n');
     process.closeWriteChannel();
     if (!process.waitForFinished(helperPatience)) {
         process.kill();
