@@ -15,6 +15,8 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void headlineTellsForHowMany_data();
     void headlineTellsForHowMany();
+    void answerOfTheOwnSceneIsNotDenied_data();
+    void answerOfTheOwnSceneIsNotDenied();
     void hitThatKeepsVelocitiesIsNotMissed_data();
     void hitThatKeepsVelocitiesIsNotMissed();
 };
@@ -71,6 +73,18 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "Each circle keeps its direction and gets the other's speed");
     row("half the velocity", "L42T9", "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity",
         "The circles do not stop in a hit");
+    row("x alone", "L42T9", "p.velocity, q.velocity = vec(0, p.velocity.y), vec(0, q.velocity.y)",
+        "A hit stops the x parts alone");
+    row("normal of another length by direction", "L42T12",
+        "local m = d / (math.abs(d.x) + math.abs(d.y)) "
+        "local j = (p.velocity - q.velocity):dot(m) "
+        "p.velocity, q.velocity = p.velocity - j * m, q.velocity + j * m",
+        "The push has the wrong size (in most hits)");
+    row("put apart by ten times the overlap", "L42T12",
+        "p.velocity, q.velocity = p.velocity - closing * n, q.velocity + closing * n "
+        "local deep = reach - d:length() "
+        "p.position, q.position = p.position - 10 * deep * n, q.position + 10 * deep * n",
+        "A hit puts the circles too far apart");
     row("stops upward", "L42T9",
         "if p.velocity.y > 0 then p.velocity, q.velocity = vec(0, 0), vec(0, 0) else "
         "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity end",
@@ -84,6 +98,31 @@ void TestHitKinds::headlineTellsForHowMany()
     QFETCH(QString, headline);
     const LawBench bench(task(QLatin1String(step)));
     QCOMPARE(said(bench, {.mass = text("1"), .answer = answer}), QStringList(headline));
+}
+
+void TestHitKinds::answerOfTheOwnSceneIsNotDenied_data()
+{
+    QTest::addColumn<QString>("touch");
+    QTest::addColumn<QString>("headline");
+    QTest::newRow("an area for a length")
+        << text("d:length() < p.radius * q.radius")
+        << text("The circles are answered much too late, or not at all");
+    QTest::newRow("the circles of its own scene")
+        << text("d:length() < reach and p.velocity.y == circle1.velocity.y and "
+                "p.velocity.y == 0 and q.velocity.y == 0")
+        << text("No hit tried is answered but that of your own scene");
+}
+
+/// Who answers no hit that is thrown may answer the one that its student sees.
+void TestHitKinds::answerOfTheOwnSceneIsNotDenied()
+{
+    QFETCH(QString, touch);
+    QFETCH(QString, headline);
+    const LawBench bench(task(text("L42T9")));
+    QCOMPARE(said(bench, {.touch = touch,
+                          .mass = text("1"),
+                          .answer = text("p.velocity, q.velocity = vec(0, 0), vec(0, 0)")}),
+             QStringList(headline));
 }
 
 void TestHitKinds::hitThatKeepsVelocitiesIsNotMissed_data()

@@ -64,7 +64,7 @@ void TestPushSize::whatItDependsOnIsTold_data()
     QTest::addRow("density") << text("L42T15") << text("p.density / 8")
                              << text("The push has a wrong size that depends on the circles");
     QTest::addRow("speed") << text("L42T12") << text("closing")
-                           << text("The push along the line of centres has the wrong size");
+                           << text("The push has the wrong size");
 }
 
 void TestPushSize::whatItDependsOnIsTold()

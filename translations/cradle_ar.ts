@@ -2607,10 +2607,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>تُحسب سرعة الدائرة 1 مما صارت إليه الدائرة 2</translation>
     </message>
     <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
-        <translation>تمضيان جنبًا إلى جنب ولا تفترقان: كلٌّ لا تنال إلا نصف التغير الذي يصنعه تصادم مرن. انظر إلى العامل في المقدمة.</translation>
-    </message>
-    <message>
         <source>After a hit both circles have the same velocity</source>
         <translation>بعد التصادم تكون للدائرتين السرعة نفسها</translation>
     </message>
@@ -2751,8 +2747,8 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>بين دائرتين متساويتين الدفع يساوي ما يجب مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
-        <source>The push along the line of centres has the wrong size</source>
-        <translation>مقدار الدفع على خط المركزين خاطئ</translation>
+        <source>The push has the wrong size</source>
+        <translation>مقدار الدفع خاطئ</translation>
     </message>
     <message>
         <source>The masses in your own scene are not those of its circles</source>
@@ -4565,6 +4561,42 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
         <translation>الخطوة *تضيف* مسافة إلى الموضع القديم: انظر إلى الأسطر التي تضعها هناك، وإلى ما يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity; in your own scene, with %3 m/s, their velocities changed where their centres were between %4 and %5 m apart. Rims touch there at %6 m: look at what is asked besides that.</source>
+        <translation>في الاتجاهات كلها، وعددها ⁨%1⁩، التي قُذفت فيها كل منهما نحو الأخرى بسرعة لا تزيد على ⁦%2 m/s⁩ على خط المركزين لم تغيّر أي منهما سرعتها؛ أما في مشهدك، بسرعة ⁦%3 m/s⁩، فتغيّرت السرعتان حين كانت المسافة بين المركزين بين ⁨%4⁩ و⁦%5 m⁩. تتلامس الحافتان هناك عند ⁦%6 m⁩: انظر ما الذي يُسأل غير ذلك.</translation>
+    </message>
+    <message>
+        <source>No hit tried is answered but that of your own scene</source>
+        <translation>لم يلقَ استجابةً من التصادمات المجرّبة إلا تصادم مشهدك</translation>
+    </message>
+    <message>
+        <source>The circles are answered much too late, or not at all</source>
+        <translation>تأتي الاستجابة للدائرتين متأخرة كثيرًا أو لا تأتي</translation>
+    </message>
+    <message>
+        <source>A hit puts the circles too far apart</source>
+        <translation>يضع التصادم الدائرتين متباعدتين أكثر مما يجب</translation>
+    </message>
+    <message>
+        <source>They came until their centres were %1 m apart, and the step with the answer put them %2 m apart; rims touch at %3 m. It is enough that they touch: look at how far each of the two is moved.</source>
+        <translation>اقتربتا حتى صارت المسافة بين المركزين ⁦%1 m⁩ ثم جعلتها خطوة الاستجابة ⁦%2 m⁩؛ تتلامس الحافتان عند ⁦%3 m⁩. يكفي أن تتلامسا: انظر كم تُزاح كل منهما.</translation>
+    </message>
+    <message>
+        <source>A hit stops the x parts alone</source>
+        <translation>لا يوقف التصادم إلا مركّبتي ⁦x⁩</translation>
+    </message>
+    <message>
+        <source>A hit stops the y parts alone</source>
+        <translation>لا يوقف التصادم إلا مركّبتي ⁦y⁩</translation>
+    </message>
+    <message>
+        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s. Both parts of a velocity have to become 0.</source>
+        <translation>جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩، وجاءت الدائرة 2 بسرعة ⁦%3 m/s⁩ وغادرت بسرعة ⁦%4 m/s⁩. يجب أن تصير مركّبتا السرعة كلتاهما 0.</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
+        <translation>تمضيان جنبًا إلى جنب ولا تفترقان: لا تأخذ كل منهما إلا نصف التغيّر الذي يُحدثه تصادم مرن. ابحث عن نصف أو متوسط.</translation>
     </message>
 </context>
 <context>

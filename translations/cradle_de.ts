@@ -2475,10 +2475,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Geschwindigkeit von Kreis 1 wird aus dem berechnet, was aus Kreis 2 geworden ist</translation>
     </message>
     <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
-        <translation>Sie laufen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die Hälfte der Änderung, die ein elastischer Stoß bringt. Sieh dir den Faktor davor an.</translation>
-    </message>
-    <message>
         <source>After a hit both circles have the same velocity</source>
         <translation>Nach einem Stoß haben beide Kreise dieselbe Geschwindigkeit</translation>
     </message>
@@ -2615,8 +2611,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Anteile quer dazu müssen bleiben, wie sie waren.</translation>
     </message>
     <message>
-        <source>The push along the line of centres has the wrong size</source>
-        <translation>Der Kraftstoß längs der Verbindungslinie der Mittelpunkte hat die falsche Größe</translation>
+        <source>The push has the wrong size</source>
+        <translation>Der Kraftstoß hat die falsche Größe</translation>
     </message>
     <message>
         <source>The masses in your own scene are not those of its circles</source>
@@ -4513,6 +4509,42 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
         <translation>Ein Schritt *addiert* einen Weg zum alten Ort: Sieh dir die Zeilen an, die den Kreis dorthin setzen, und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity; in your own scene, with %3 m/s, their velocities changed where their centres were between %4 and %5 m apart. Rims touch there at %6 m: look at what is asked besides that.</source>
+        <translation>Aus allen %1 Richtungen, in denen sie mit bis zu %2 m/s längs der Verbindungslinie der Mittelpunkte gegeneinander geworfen wurden, änderte keiner seine Geschwindigkeit; in deiner eigenen Szene, mit %3 m/s, änderten sich die Geschwindigkeiten, als die Mittelpunkte zwischen %4 und %5 m Abstand hatten. Die Ränder berühren sich dort bei %6 m: Sieh dir an, was außerdem gefragt wird.</translation>
+    </message>
+    <message>
+        <source>No hit tried is answered but that of your own scene</source>
+        <translation>Kein versuchter Stoß wird beantwortet, nur der deiner Szene</translation>
+    </message>
+    <message>
+        <source>The circles are answered much too late, or not at all</source>
+        <translation>Die Kreise werden viel zu spät beantwortet oder gar nicht</translation>
+    </message>
+    <message>
+        <source>A hit puts the circles too far apart</source>
+        <translation>Ein Stoß setzt die Kreise zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>They came until their centres were %1 m apart, and the step with the answer put them %2 m apart; rims touch at %3 m. It is enough that they touch: look at how far each of the two is moved.</source>
+        <translation>Sie kamen, bis ihre Mittelpunkte %1 m Abstand hatten, und der Schritt mit der Antwort setzte sie auf %2 m; die Ränder berühren sich bei %3 m. Es genügt, dass sie sich berühren: Sieh dir an, wie weit jeder der beiden versetzt wird.</translation>
+    </message>
+    <message>
+        <source>A hit stops the x parts alone</source>
+        <translation>Ein Stoß hält nur die x-Anteile an</translation>
+    </message>
+    <message>
+        <source>A hit stops the y parts alone</source>
+        <translation>Ein Stoß hält nur die y-Anteile an</translation>
+    </message>
+    <message>
+        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s. Both parts of a velocity have to become 0.</source>
+        <translation>Kreis 1 kam mit %1 m/s und ging mit %2 m/s, Kreis 2 kam mit %3 m/s und ging mit %4 m/s. Beide Anteile einer Geschwindigkeit müssen 0 werden.</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
+        <translation>Sie laufen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die halbe Änderung, die ein elastischer Stoß macht. Suche nach einer Hälfte oder einem Mittelwert.</translation>
     </message>
 </context>
 <context>

@@ -2583,10 +2583,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La vitesse du cercle 1 est calculée à partir de ce qu&apos;est devenu le cercle 2</translation>
     </message>
     <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look at the factor in front.</source>
-        <translation>Ils continuent côte à côte sans se séparer&#xa0;: chacun ne reçoit que la moitié du changement que produit un choc élastique. Regardez le facteur devant.</translation>
-    </message>
-    <message>
         <source>After a hit both circles have the same velocity</source>
         <translation>Après un choc, les deux cercles ont la même vitesse</translation>
     </message>
@@ -2727,8 +2723,8 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Entre cercles égaux, la poussée vaut %1 fois ce qu&apos;elle devrait</translation>
     </message>
     <message>
-        <source>The push along the line of centres has the wrong size</source>
-        <translation>La poussée suivant la ligne des centres n&apos;a pas la bonne grandeur</translation>
+        <source>The push has the wrong size</source>
+        <translation>La poussée n&apos;a pas la bonne grandeur</translation>
     </message>
     <message>
         <source>The masses in your own scene are not those of its circles</source>
@@ -4513,6 +4509,42 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
         <translation>Un pas *ajoute* un chemin à l&apos;ancienne position&#xa0;: regardez les lignes qui mettent le cercle là, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity; in your own scene, with %3 m/s, their velocities changed where their centres were between %4 and %5 m apart. Rims touch there at %6 m: look at what is asked besides that.</source>
+        <translation>Dans les %1 directions où ils ont été lancés l&apos;un contre l&apos;autre, à %2 m/s au plus suivant la ligne des centres, aucun n&apos;a changé de vitesse&#xa0;; dans votre propre scène, à %3 m/s, les vitesses ont changé quand les centres étaient entre %4 et %5 m l&apos;un de l&apos;autre. Les bords s&apos;y touchent à %6 m&#xa0;: regardez ce qui est demandé en plus.</translation>
+    </message>
+    <message>
+        <source>No hit tried is answered but that of your own scene</source>
+        <translation>Aucun choc essayé n&apos;a de réponse, hors celui de votre scène</translation>
+    </message>
+    <message>
+        <source>The circles are answered much too late, or not at all</source>
+        <translation>Les cercles reçoivent une réponse bien trop tard, ou aucune</translation>
+    </message>
+    <message>
+        <source>A hit puts the circles too far apart</source>
+        <translation>Un choc place les cercles trop loin l&apos;un de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>They came until their centres were %1 m apart, and the step with the answer put them %2 m apart; rims touch at %3 m. It is enough that they touch: look at how far each of the two is moved.</source>
+        <translation>Ils sont venus jusqu&apos;à %1 m entre les centres, et le pas de la réponse les a mis à %2 m&#xa0;; les bords se touchent à %3 m. Il suffit qu&apos;ils se touchent&#xa0;: regardez de combien chacun des deux est déplacé.</translation>
+    </message>
+    <message>
+        <source>A hit stops the x parts alone</source>
+        <translation>Un choc n&apos;arrête que les composantes x</translation>
+    </message>
+    <message>
+        <source>A hit stops the y parts alone</source>
+        <translation>Un choc n&apos;arrête que les composantes y</translation>
+    </message>
+    <message>
+        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s. Both parts of a velocity have to become 0.</source>
+        <translation>Le cercle 1 est venu à %1 m/s et reparti à %2 m/s, le cercle 2 est venu à %3 m/s et reparti à %4 m/s. Les deux composantes d&apos;une vitesse doivent devenir 0.</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
+        <translation>Ils continuent côte à côte et ne se séparent pas&#xa0;: chacun ne reçoit que la moitié du changement que fait un choc élastique. Cherchez une moitié ou une moyenne.</translation>
     </message>
 </context>
 <context>

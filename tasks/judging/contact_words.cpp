@@ -26,7 +26,10 @@ public:
             take(distanceDeviations(m_own, m_right, m_ground));
         if (auto missed = divided.said(!m_found.empty()))
             m_found.push_back(std::move(*missed));
+        const std::size_t before = m_found.size();
         findLeap();
+        if (m_found.size() == before)
+            findPutFar();
         // A wrong direction shows here, too; it is the response that is wrong.
         if (!divided.isOfWay() && !isDirectionWrong())
             take(meetingDeviations(Meetings::Parting, m_own, m_right, m_ground));
@@ -63,6 +66,10 @@ private:
             return !own;
         PairHit hit = m_own.contacts.front();
         hit.step = right ? m_right.contacts.front().step : hit.step;
+        if (right && m_own.own && m_own.own->answered) {
+            findOwnAlone();
+            return true;
+        }
         const auto held = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
                                        [](const PairHit &h) { return h.held; });
         if (right && held != m_own.contacts.end() && held->leaper >= 0)
@@ -91,6 +98,28 @@ private:
             add(ContactText::tr("The circles act on each other"),
                 ContactText::tr("In this step they should still pass through each other."), hit);
         return true;
+    }
+
+    /// The first hit of the own scene is answered, and none of those that are thrown.
+    void findOwnAlone()
+    {
+        const PairHit &hit = *m_own.own;
+        double fastest = 0.0;
+        for (const PairHit &thrown : m_own.contacts)
+            fastest = std::max(fastest, thrown.slowness * thrown.meeting.closing());
+        const QString seen =
+            ContactText::tr("From all %1 directions in which they were thrown at each other, with "
+                            "up to %2 m/s along the line of centres, neither of them changed its "
+                            "velocity; in your own scene, with %3 m/s, their velocities changed "
+                            "where their centres were between %4 and %5 m apart. Rims touch there "
+                            "at %6 m: look at what is asked besides that.")
+                .arg(QString::number(m_own.contacts.size()), brief(fastest),
+                     brief(hit.slowness * dot(hit.came1 - hit.came2, hit.normal)),
+                     brief(hit.reached), brief(hit.before), brief(hit.meeting.sum()));
+        add(isInTime(hit)
+                ? ContactText::tr("No hit tried is answered but that of your own scene")
+                : ContactText::tr("The circles are answered much too late, or not at all"),
+            seen, whereTheyTouch(m_own.contacts.front()));
     }
 
     /// All that are answered are answered when they leave each other.
@@ -134,6 +163,22 @@ private:
                 .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(hit.reached),
                      brief(hit.before), brief(hit.meeting.sum())),
             hit, Suspect::Copy);
+    }
+
+    /// Overlapping circles are put as far apart as their rims touch.
+    void findPutFar()
+    {
+        const auto isFar = [](const PairHit &h) { return h.isPutFar(); };
+        const auto at = std::find_if(m_own.contacts.begin(), m_own.contacts.end(), isFar);
+        if (at == m_own.contacts.end()
+            || std::any_of(m_right.contacts.begin(), m_right.contacts.end(), isFar))
+            return;
+        add(ContactText::tr("A hit puts the circles too far apart"),
+            ContactText::tr("They came until their centres were %1 m apart, and the step with the "
+                            "answer put them %2 m apart; rims touch at %3 m. It is enough that "
+                            "they touch: look at how far each of the two is moved.")
+                .arg(brief(at->reached), brief(at->after), brief(at->meeting.sum())),
+            *at, Suspect::Answer);
     }
 
     /// A hit puts each circle near its own path, not at the place of the other.

@@ -147,6 +147,17 @@ bool HitKinds::isOfOneCircle(const PairHit &hit) const
     return isSameAnswerTo(hit, seen, good);
 }
 
+/// Whether what was found of one push, its size or its direction, is so in \p hit.
+bool HitKinds::isOfPush(const PairHit &hit) const
+{
+    const PairVelocities good = rightFor(hit.cameParts(), goodOf(hit));
+    PairVelocities seen = hit.leftParts();
+    seen.along1 = good.along1;
+    seen.along2 = good.along2;
+    const bool isAlong = isSameAnswerTo(hit, seen, good);
+    return areOpposite(hit) && isAlong == (m_said.deviations.front().topic != Topic::Direction);
+}
+
 /// Whether what was found, which is no law of all \p hits of equal circles, is so in most of them.
 bool HitKinds::isOfMost(const Kinds &hits) const
 {
@@ -154,7 +165,9 @@ bool HitKinds::isOfMost(const Kinds &hits) const
     const auto isSo = [&](const JudgedMeeting &one) {
         const PairHit &hit = *one.hit;
         return !one.isRight
-               && (found.topic == Topic::Momentum ? !areOpposite(hit) : isOfOneCircle(hit));
+               && (found.topic == Topic::Momentum     ? !areOpposite(hit)
+                   : found.moment.circles.size() == 1 ? isOfOneCircle(hit)
+                                                      : isOfPush(hit));
     };
     return 2 * std::count_if(hits.begin(), hits.end(), isSo) > std::ssize(hits);
 }

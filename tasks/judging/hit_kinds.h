@@ -34,6 +34,7 @@ private:
     [[nodiscard]] bool isLawOf(const Kinds &hits) const;
     [[nodiscard]] bool areMasses(const Kinds &hits) const;
     [[nodiscard]] bool isOfOneCircle(const PairHit &hit) const;
+    [[nodiscard]] bool isOfPush(const PairHit &hit) const;
     [[nodiscard]] bool isOfMost(const Kinds &hits) const;
     void limit(const Kinds &hits);
     void judge();

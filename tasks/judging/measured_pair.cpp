@@ -126,6 +126,12 @@ bool PairHit::isAlongCentres() const
            < 0.02 * (length(push1()) + length(push2()));
 }
 
+bool PairHit::isPutFar() const
+{
+    const double way = length(left2 - left1) * slowness * stage.preset.timestep;
+    return answered && after - std::max(before, meeting.sum()) > 2.0 * (way + before - reached);
+}
+
 bool PairHit::fits(double distance) const
 {
     // Who answers at once may have done so long before.
@@ -285,10 +291,16 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
                                                 std::abs(b.before - b.reached))));
     };
     const auto met = [](const PairHit &a, const PairHit &b) { return a.isMet() == b.isMet(); };
+    const auto answersOwnAlone = [](const MeasuredPair &pair) {
+        return pair.own && pair.own->answered
+               && std::none_of(pair.contacts.begin(), pair.contacts.end(),
+                               [](const PairHit &hit) { return hit.answered; });
+    };
     return std::equal(contacts.begin(), contacts.end(), other.contacts.begin(), meetAlike)
            && std::equal(modes.begin(), modes.end(), other.modes.begin(), met)
            && std::equal(varied.begin(), varied.end(), other.varied.begin(), other.varied.end(),
                          met)
+           && answersOwnAlone(*this) == answersOwnAlone(other)
            && slow.has_value() == other.slow.has_value()
            && (!slow || slow->isMet() == other.slow->isMet());
 }
@@ -298,7 +310,9 @@ bool MeasuredPair::sequelIsLike(const MeasuredPair &other) const
     const auto answered = [](const PairHit &a, const PairHit &b) {
         return a.answered == b.answered;
     };
-    const auto leaps = [](const PairHit &a, const PairHit &b) { return a.leaper == b.leaper; };
+    const auto leaps = [](const PairHit &a, const PairHit &b) {
+        return a.leaper == b.leaper && a.isPutFar() == b.isPutFar();
+    };
     return (ownContacts > 1) == (other.ownContacts > 1)
            && std::equal(contacts.begin(), contacts.end(), other.contacts.begin(),
                          other.contacts.end(), leaps)

@@ -45,6 +45,7 @@ struct PairHit {
     bool answered = false;     ///< a velocity changed
     double before = 0.0;       ///< distance of the centres in the state before it was answered, m
     double reached = 0.0;      ///< and what it would have been after that step, m
+    double after = 0.0;        ///< and what it was then, m
     Vec2 normal{1.0, 0.0};     ///< line of centres then, from 1 to 2
     Vec2 nextNormal{1.0, 0.0}; ///< and after that step
     Vec2 came1{};              ///< velocities that it was answered with, m/s
@@ -75,6 +76,9 @@ struct PairHit {
     [[nodiscard]] bool isInTime() const;
     /// Whether both pushes act along the line of centres, at the start of the step or at its end.
     [[nodiscard]] bool isAlongCentres() const;
+    /// Whether its answer puts them farther from each other than they come by flying on for two
+    /// steps, before and after it.
+    [[nodiscard]] bool isPutFar() const;
     /// Whether it was noticed but changed no velocity.
     [[nodiscard]] bool isHeldAlone() const { return held && !answered; }
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.

@@ -112,7 +112,7 @@ private:
         const auto &own = m_own.pair().own;
         const auto &right = m_right.pair().own;
         return own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
-                       && !leaveAlike(*own, *right)
+                       && !leaveAlike(*own, *right, otherAnswer)
                    ? QLatin1Char(' ')
                          + ConditionText::tr("In your own scene the first comes out wrong, too.")
                    : QString();
@@ -136,7 +136,7 @@ private:
         const auto &own = m_own.pair().own;
         const auto &right = m_right.pair().own;
         if (own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
-            && leaveAlike(*own, *right))
+            && leaveAlike(*own, *right, sameAnswer))
             found.front().message +=
                 QLatin1Char(' ')
                 + ConditionText::tr("In your own scene the first hit comes out right.");
@@ -148,11 +148,13 @@ private:
 
     /// But for the line of centres, which turns in a step of the own scene; by how fast they meet,
     /// for they may fall together.
-    static bool leaveAlike(const PairHit &a, const PairHit &b)
+    static bool leaveAlike(const PairHit &a, const PairHit &b, double blur)
     {
         return length(a.left1 - b.left1) + length(a.left2 - b.left2)
-               < 0.04 * length(a.came1 - a.came2);
+               < blur * length(a.came1 - a.came2);
     }
+    static constexpr double sameAnswer = 1e-3;  ///< what surely is right
+    static constexpr double otherAnswer = 0.04; ///< what surely is wrong
 
     static bool isOfSameCircles(const PairHit &a, const PairHit &b)
     {

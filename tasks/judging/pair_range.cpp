@@ -257,6 +257,7 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     noteLeap(hit, 0, before[0].position, free1.position, now1);
     noteLeap(hit, 1, before[1].position, free2.position, now2);
     const Vec2 then = now2.position - now1.position;
+    hit.after = length(then);
     hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
                       && dot(then, now2.velocity - now1.velocity) > 0.0;
 }

@@ -94,7 +94,7 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
         if (isAlike(other, factor, 0.01))
             continue;
         if (o.radius1 == m.radius1 && o.density1 == m.density1)
-            return {ResponseText::tr("The push along the line of centres has the wrong size")};
+            return {ResponseText::tr("The push has the wrong size")};
         if (o.density1 == m.density1)
             return {
                 ResponseText::tr("The push has a wrong size that depends on the radius"),

@@ -122,6 +122,26 @@ private:
             return !isSameAnswer(h.hit.leftParts(), PairVelocities{});
         };
         const bool isNever = std::all_of(hits.begin(), hits.end(), moves);
+        for (const auto &[part, headline] :
+             {std::pair(Vec2{1.0, 0.0}, ResponseText::tr("A hit stops the x parts alone")),
+              std::pair(Vec2{0.0, 1.0}, ResponseText::tr("A hit stops the y parts alone"))}) {
+            const Vec2 kept = perpendicular(part);
+            const auto isStopped = [&](const EqualHit &h) {
+                const PairHit &one = h.hit;
+                return length(one.left1 - dot(one.came1, kept) * kept) < 5e-3
+                       && length(one.left2 - dot(one.came2, kept) * kept) < 5e-3;
+            };
+            if (std::all_of(hits.begin(), hits.end(), isStopped)) {
+                add(headline,
+                    ResponseText::tr("Circle 1 came with %1 m/s and left with %2 m/s, circle 2 "
+                                     "came with %3 m/s and left with %4 m/s. Both parts of a "
+                                     "velocity have to become 0.")
+                        .arg(brief(hit.slowness * hit.came1), brief(hit.slowness * hit.left1),
+                             brief(hit.slowness * hit.came2), brief(hit.slowness * hit.left2)),
+                    hit);
+                return;
+            }
+        }
         add(isNever ? ResponseText::tr("The circles do not stop in a hit")
                     : ResponseText::tr("Not every hit stops both circles"),
             describeEquals(hit, right), hit);

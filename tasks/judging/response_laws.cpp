@@ -158,7 +158,7 @@ std::vector<ResponseLaw> exchangeLaws()
          },
          ResponseLawText::tr("After an elastic hit the circles do not part"),
          ResponseLawText::tr("They go on side by side and do not part: each gets only half of the "
-                             "change that an elastic hit makes. Look at the factor in front.")},
+                             "change that an elastic hit makes. Look for a half or a mean.")},
         {[](Hit h) {
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              const double t = 0.5 * (h.in.across1 + h.in.across2);
