@@ -17,6 +17,7 @@ private slots:
     void headlineTellsForHowMany();
     void answerOfTheOwnSceneIsNotDenied_data();
     void answerOfTheOwnSceneIsNotDenied();
+    void wallBesideTheOtherIsNoAnswer();
     void hitThatKeepsVelocitiesIsNotMissed_data();
     void hitThatKeepsVelocitiesIsNotMissed();
 };
@@ -29,11 +30,12 @@ QString text(const char *utf8)
 }
 
 /// What is said of the contact and the response of a program with that hit.
-QStringList said(const LawBench &bench, const HitLaw &law)
+QStringList said(const LawBench &bench, const HitLaw &law, const QString &start = {})
 {
-    const QString program =
-        written({.walls = wallsOf(wallWays[1], "c.radius", "1"), .hit = hitOf(hitWays[1], law)},
-                structures[1]);
+    const QString program = written({.start = start,
+                                     .walls = wallsOf(wallWays[1], "c.radius", "1"),
+                                     .hit = hitOf(hitWays[1], law)},
+                                    structures[1]);
     const MeasuredLaws own(&program, bench.ground);
     QStringList all;
     for (const auto &[aspect, found] :
@@ -123,6 +125,16 @@ void TestHitKinds::answerOfTheOwnSceneIsNotDenied()
                           .mass = text("1"),
                           .answer = text("p.velocity, q.velocity = vec(0, 0), vec(0, 0)")}),
              QStringList(headline));
+}
+
+/// In its own scene circle 1 turns at the right wall while it overlaps circle 2.
+void TestHitKinds::wallBesideTheOtherIsNoAnswer()
+{
+    const LawBench bench(task(text("L42T9")));
+    QCOMPARE(said(bench, {.touch = text("false")},
+                  text("circle1.position, circle1.velocity = vec(3.3, 0.5), vec(2, 0) "
+                       "circle2.position, circle2.velocity = vec(3.5, 0.7), vec(0, 0.1)")),
+             QStringList(text("The circles run through each other")));
 }
 
 void TestHitKinds::hitThatKeepsVelocitiesIsNotMissed_data()

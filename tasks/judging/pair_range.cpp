@@ -145,7 +145,9 @@ std::optional<PairHit> PairRange::own() const
         if (!probe.step())
             return std::nullopt;
         const double distance = length(before[1].position - before[0].position);
-        if (distance > 1.5 * (before[0].radius + before[1].radius))
+        // What a wall turns is no answer.
+        if (distance > 1.5 * (before[0].radius + before[1].radius) || isNearWall(before[0])
+            || isNearWall(before[1]))
             continue;
         note(hit, before, probe, flights, k);
         if (!hit.answered)
