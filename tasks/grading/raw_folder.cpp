@@ -134,7 +134,7 @@ QString shownName(const QByteArray &name)
 QByteArray lastName(const QByteArray &path)
 {
     QByteArray clean = path;
-    while (clean.size() > 1 && clean.endsWith('/'))
+    while (clean.endsWith('/'))
         clean.chop(1);
     return clean.mid(clean.lastIndexOf('/') + 1);
 }

@@ -42,8 +42,6 @@ void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::s
         && self.m_refusals < mostRefusals) {
         void *made = self.m_small.take(newSize);
         self.m_used += made ? newSize : 0;
-        if (oldSize == LUA_TSTRING && made)
-            self.m_longestText = std::max(self.m_longestText, newSize);
         return made;
     }
     // Without a block, oldSize tells the kind of object.
@@ -63,7 +61,7 @@ void *LuaMemory::allocate(void *memory, void *block, std::size_t oldSize, std::s
     return moved;
 }
 
-/// Small blocks cost no more than the instructions that ask for them.
+/// Small blocks cost no more than the instructions that ask for them, and hold no long text.
 void LuaMemory::note(bool isText, std::size_t size)
 {
     if (isText)
