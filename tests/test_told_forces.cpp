@@ -23,6 +23,7 @@ private slots:
     void whatComesToAWallAtOnceIsToldOfLess_data();
     void whatComesToAWallAtOnceIsToldOfLess();
     void oneThatIsLetGoIsTold();
+    void oneThatStaysAtRestIsTold();
     void eInTheOpenIsTold();
     void aNumberForGravityIsTold();
     void anOldCopyOfGravityIsTold();
@@ -151,6 +152,20 @@ void TestToldForces::oneThatIsLetGoIsTold()
                              "step. Thrown with (#, #) m/s it goes on as it should.");
     QCOMPARE(n.size(), std::size_t{7});
     QVERIFY(isNear(n[1], 9.81 / n[2]) && isNear(n[4], -9.81 / n[2]) && n[6] > 0.0);
+}
+
+/// Who is slow is stopped in flight, too: let go at rest, it stays.
+void TestToldForces::oneThatStaysAtRestIsTold()
+{
+    const auto n = numbersIn(body("L42T4", way,
+                                  QStringLiteral("gravity * h if c.velocity:length() < 0.5 then "
+                                                 "c.velocity = vec(0, 0) end"),
+                                  "Gravity does not take both circles out of rest"),
+                             "Let go at rest, it has (#, #) m/s one step of 1/# s later, far from "
+                             "every wall and every other circle; gravity gives it (#, #) m/s in a "
+                             "step. Thrown with (#, #) m/s it goes on as it should.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(n[0] == 0.0 && n[1] == 0.0 && isNear(n[4], -9.81 / n[2]));
 }
 
 void TestToldForces::eInTheOpenIsTold()

@@ -4598,6 +4598,10 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
         <translation>تمضيان جنبًا إلى جنب ولا تفترقان: لا تأخذ كل منهما إلا نصف التغيّر الذي يُحدثه تصادم مرن. ابحث عن نصف أو متوسط.</translation>
     </message>
+    <message>
+        <source>Gravity does not take %who out of rest</source>
+        <translation>الجاذبية لا تُخرج %who من السكون</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -4546,6 +4546,10 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
         <translation>Sie laufen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die halbe Änderung, die ein elastischer Stoß macht. Suche nach einer Hälfte oder einem Mittelwert.</translation>
     </message>
+    <message>
+        <source>Gravity does not take %who out of rest</source>
+        <translation>Die Schwerkraft setzt %who nicht in Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

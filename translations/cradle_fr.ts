@@ -4546,6 +4546,10 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
         <translation>Ils continuent côte à côte et ne se séparent pas&#xa0;: chacun ne reçoit que la moitié du changement que fait un choc élastique. Cherchez une moitié ou une moyenne.</translation>
     </message>
+    <message>
+        <source>Gravity does not take %who out of rest</source>
+        <translation>La pesanteur ne met pas %who en mouvement</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -178,7 +178,9 @@ private:
                }))
             return std::nullopt;
         FlightSaid fault = said(
-            FlightText::tr("The velocity of %who changes although it touches nothing"),
+            length(f.fromRest.velocity) < 1e-9
+                ? FlightText::tr("Gravity does not take %who out of rest")
+                : FlightText::tr("The velocity of %who changes although it touches nothing"),
             FlightText::tr("Let go at rest, it has %1 m/s one step of %2 s later, far from every "
                            "wall and every other circle; gravity gives it %3 m/s in a step. Thrown "
                            "with %4 m/s it goes on as it should.")
