@@ -75,6 +75,8 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "Each circle keeps its direction and gets the other's speed");
     row("half the velocity", "L42T9", "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity",
         "The circles do not stop in a hit");
+    row("circle 1 alone", "L42T9", "p.velocity = vec(0, 0)", "A hit stops circle 1 alone");
+    row("circle 2 alone", "L42T9", "q.velocity = vec(0, 0)", "A hit stops circle 2 alone");
     row("x alone", "L42T9", "p.velocity, q.velocity = vec(0, p.velocity.y), vec(0, q.velocity.y)",
         "A hit stops the x parts alone");
     row("normal of another length by direction", "L42T12",

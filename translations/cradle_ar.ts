@@ -933,10 +933,6 @@
         <translation>⁨%1⁩: توقف الفحص نفسه، فهو لا يقول شيئًا عن عملك: ⁨%2⁩</translation>
     </message>
     <message>
-        <source>Circle %1 never fell onto the floor in %2 s; that must be seen to judge how it comes to rest</source>
-        <translation>لم تسقط الدائرة ⁨%1⁩ على الأرضية قط خلال ⁦%2 s⁩؛ يجب أن يُرى ذلك للحكم على وصولها إلى السكون</translation>
-    </message>
-    <message>
         <source>After %1 s circle %2 still comes %3 m above the floor with e = %4; at most %5 m is right for its integrator</source>
         <translation>بعد ⁦%1 s⁩ لا تزال الدائرة ⁨%2⁩ تعلو ⁦%3 m⁩ فوق الأرضية مع ⁦e = %4⁩؛ الصواب ⁦%5 m⁩ على الأكثر لطريقة تكاملها</translation>
     </message>
@@ -1139,6 +1135,10 @@
     <message>
         <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
         <translation>في الخطوة ⁨%1⁩ حيث لا تلامس شيئًا انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات بعد إصلاح ذلك</translation>
+    </message>
+    <message>
+        <source>In %2 s circle %1 never came to the floor as fast as a fall makes it; that must be seen to judge how it comes to rest</source>
+        <translation>خلال ⁦%2 s⁩ لم تصل الدائرة ⁨%1⁩ إلى الأرضية قط بسرعة يصنعها السقوط؛ يجب أن يُرى ذلك للحكم على وصولها إلى السكون</translation>
     </message>
 </context>
 <context>
@@ -3510,14 +3510,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>جاءت الدائرة ⁨%3⁩ بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩. يُصاب الجداران في الخطوة نفسها، وعلى كل منهما أن يعكس مركّبته، أيًّا كان الأول.</translation>
     </message>
     <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor turns it, and yet gravity pulls it on. Put the circle back where it touches.</source>
-        <translation>الأرضية لا تحمل الدائرة ⁨%1⁩
-
-بعد ⁦%2 s⁩ قرب الأرضية صارت حافتها تحتها بمقدار ⁦%3 m⁩، وأعمق مما كانت: الأرضية تردّها ومع ذلك تجذبها الجاذبية. أعد الدائرة إلى حيث تلمس.</translation>
-    </message>
-    <message>
         <source>Circle %1 is turned round again while it leaves a wall
 
 It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
@@ -4601,6 +4593,18 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>Gravity does not take %who out of rest</source>
         <translation>الجاذبية لا تُخرج %who من السكون</translation>
+    </message>
+    <message>
+        <source>A hit stops circle %1 alone</source>
+        <translation>التصادم لا يوقف إلا الدائرة ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
+        <translation>الأرضية لا تحمل الدائرة ⁨%1⁩
+
+بعد ⁦%2 s⁩ قرب الأرضية صارت حافتها تحتها بمقدار ⁦%3 m⁩، وأعمق مما كانت: الأرضية تغيّر سرعتها ومع ذلك تجذبها الجاذبية. أعد الدائرة إلى حيث تلمس.</translation>
     </message>
 </context>
 <context>

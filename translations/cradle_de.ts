@@ -973,10 +973,6 @@
         <translation>Kreis %1 war nur %2 s lang frei von Wänden und anderen Kreisen; um seine Bewegung zu beurteilen, müssen mindestens %3 s zu sehen sein</translation>
     </message>
     <message>
-        <source>Circle %1 never fell onto the floor in %2 s; that must be seen to judge how it comes to rest</source>
-        <translation>Kreis %1 fiel in %2 s nie auf den Boden; das muss zu sehen sein, um zu beurteilen, wie er zur Ruhe kommt</translation>
-    </message>
-    <message>
         <source>Circle %1 came %2 m far in %3 s; at least its diameter of %4 m must be seen to judge whether they stay together</source>
         <translation>Kreis %1 kam in %3 s %2 m weit; mindestens sein Durchmesser von %4 m muss zu sehen sein, um zu beurteilen, ob sie zusammenbleiben</translation>
     </message>
@@ -1131,6 +1127,10 @@
     <message>
         <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
         <translation>In Schritt %1, in dem er nichts berührt, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, sobald das behoben ist</translation>
+    </message>
+    <message>
+        <source>In %2 s circle %1 never came to the floor as fast as a fall makes it; that must be seen to judge how it comes to rest</source>
+        <translation>In %2 s kam Kreis %1 nie so schnell zum Boden, wie ein Fall ihn macht; das muss zu sehen sein, um zu beurteilen, wie er zur Ruhe kommt</translation>
     </message>
 </context>
 <context>
@@ -3486,14 +3486,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Kreis %3 kam mit %1 m/s an und ging mit %2 m/s weg. Beide Wände werden im selben Schritt getroffen, und jede muss ihren Anteil umkehren, welche auch zuerst kommt.</translation>
     </message>
     <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor turns it, and yet gravity pulls it on. Put the circle back where it touches.</source>
-        <translation>Der Boden hält Kreis %1 nicht oben
-
-Nach %2 s in der Nähe des Bodens liegt sein Rand %3 m darunter, und tiefer als vorher: Der Boden lässt ihn umkehren, und doch zieht ihn die Schwerkraft weiter. Setze den Kreis dorthin zurück, wo er den Boden berührt.</translation>
-    </message>
-    <message>
         <source>Circle %1 is turned round again while it leaves a wall
 
 It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
@@ -4549,6 +4541,18 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>Gravity does not take %who out of rest</source>
         <translation>Die Schwerkraft setzt %who nicht in Bewegung</translation>
+    </message>
+    <message>
+        <source>A hit stops circle %1 alone</source>
+        <translation>Ein Stoß hält nur Kreis %1 an</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
+        <translation>Der Boden hält Kreis %1 nicht oben
+
+Nach %2 s in der Nähe des Bodens liegt sein Rand %3 m darunter, und tiefer als vorher: Der Boden ändert seine Geschwindigkeit, und doch zieht ihn die Schwerkraft weiter. Setze den Kreis dorthin zurück, wo er den Boden berührt.</translation>
     </message>
 </context>
 <context>

@@ -925,10 +925,6 @@
         <translation>%1&#xa0;: la vérification elle-même s&apos;est arrêtée, elle ne dit donc rien de votre travail&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Circle %1 never fell onto the floor in %2 s; that must be seen to judge how it comes to rest</source>
-        <translation>Le cercle %1 n&apos;est jamais tombé sur le sol en %2 s&#xa0;; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
-    </message>
-    <message>
         <source>After %1 s circle %2 still comes %3 m above the floor with e = %4; at most %5 m is right for its integrator</source>
         <translation>Après %1 s, le cercle %2 remonte encore à %3 m au-dessus du sol avec e = %4&#xa0;; au plus %5 m convient pour son intégrateur</translation>
     </message>
@@ -1131,6 +1127,10 @@
     <message>
         <source>At step %1, where it touches nothing, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
         <translation>Au pas %1, où il ne touche rien, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés une fois cela corrigé</translation>
+    </message>
+    <message>
+        <source>In %2 s circle %1 never came to the floor as fast as a fall makes it; that must be seen to judge how it comes to rest</source>
+        <translation>En %2 s, le cercle %1 n&apos;est jamais arrivé au sol aussi vite qu&apos;une chute le rend&#xa0;; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
     </message>
 </context>
 <context>
@@ -3486,14 +3486,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Le cercle %3 est arrivé à %1 m/s et est reparti à %2 m/s. Les deux parois sont touchées dans le même pas, et chacune doit inverser sa composante, quelle que soit la première.</translation>
     </message>
     <message>
-        <source>The floor does not hold circle %1 up
-
-After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor turns it, and yet gravity pulls it on. Put the circle back where it touches.</source>
-        <translation>Le sol ne retient pas le cercle %1
-
-Après %2 s près du sol, son bord est %3 m au-dessous, et plus bas qu&apos;avant&#xa0;: le sol le renvoie, et pourtant la pesanteur continue de l&apos;entraîner. Remettez le cercle là où il touche le sol.</translation>
-    </message>
-    <message>
         <source>Circle %1 is turned round again while it leaves a wall
 
 It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
@@ -4549,6 +4541,18 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>Gravity does not take %who out of rest</source>
         <translation>La pesanteur ne met pas %who en mouvement</translation>
+    </message>
+    <message>
+        <source>A hit stops circle %1 alone</source>
+        <translation>Un choc n&apos;arrête que le cercle %1</translation>
+    </message>
+    <message>
+        <source>The floor does not hold circle %1 up
+
+After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
+        <translation>Le sol ne retient pas le cercle %1
+
+Après %2 s près du sol, son bord est %3 m au-dessous, et plus bas qu&apos;avant&#xa0;: le sol change sa vitesse, et pourtant la pesanteur continue de l&apos;entraîner. Remettez le cercle là où il touche le sol.</translation>
     </message>
 </context>
 <context>

@@ -83,13 +83,14 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
         allowed =
             std::max({generosity * allowed, steadyHeight(o, gravity), motion::toleranceOf(check)});
         if (!hasFallen(o, i, gravity))
-            return Fault{.message =
-                             SettleText::tr("Circle %1 never fell onto the floor in %2 s; "
-                                            "that must be seen to judge how it comes to rest")
-                                 .arg(i + 1)
-                                 .arg(motion::figure(o.variant.duration)),
-                         .step = o.steps(),
-                         .circle = i};
+            return Fault{
+                .message = SettleText::tr("In %2 s circle %1 never came to the floor as fast as a "
+                                          "fall makes it; that must be seen to judge how it "
+                                          "comes to rest")
+                               .arg(i + 1)
+                               .arg(motion::figure(o.variant.duration)),
+                .step = o.steps(),
+                .circle = i};
         const double observed = lastHeight(o, i);
         if (observed > allowed) {
             return Fault{.message =

@@ -118,20 +118,19 @@ private:
     /// Both should stop, and do not always.
     void findStops(const std::vector<EqualHit> &hits, const PairHit &hit, const PairHit &right)
     {
-        const auto moves = [](const EqualHit &h) {
-            return !isSameAnswer(h.hit.leftParts(), PairVelocities{});
+        const auto every = [&](auto &&holds) {
+            return std::all_of(hits.begin(), hits.end(),
+                               [&](const EqualHit &h) { return holds(h.hit); });
         };
-        const bool isNever = std::all_of(hits.begin(), hits.end(), moves);
+        const auto rests = [](Vec2 velocity) { return length(velocity) < 5e-3; };
         for (const auto &[part, headline] :
              {std::pair(Vec2{1.0, 0.0}, ResponseText::tr("A hit stops the x parts alone")),
               std::pair(Vec2{0.0, 1.0}, ResponseText::tr("A hit stops the y parts alone"))}) {
             const Vec2 kept = perpendicular(part);
-            const auto isStopped = [&](const EqualHit &h) {
-                const PairHit &one = h.hit;
-                return length(one.left1 - dot(one.came1, kept) * kept) < 5e-3
-                       && length(one.left2 - dot(one.came2, kept) * kept) < 5e-3;
-            };
-            if (std::all_of(hits.begin(), hits.end(), isStopped)) {
+            if (every([&](const PairHit &one) {
+                    return length(one.left1 - dot(one.came1, kept) * kept) < 5e-3
+                           && length(one.left2 - dot(one.came2, kept) * kept) < 5e-3;
+                })) {
                 add(headline,
                     ResponseText::tr("Circle 1 came with %1 m/s and left with %2 m/s, circle 2 "
                                      "came with %3 m/s and left with %4 m/s. Both parts of a "
@@ -142,8 +141,20 @@ private:
                 return;
             }
         }
-        add(isNever ? ResponseText::tr("The circles do not stop in a hit")
-                    : ResponseText::tr("Not every hit stops both circles"),
+        const bool isNever =
+            every([&](const PairHit &one) { return !rests(one.left1) && !rests(one.left2); });
+        // More than a remainder of what it came with.
+        const auto goesOn = [](Vec2 came, Vec2 left) {
+            return length(left) >= 0.05 * length(came);
+        };
+        const bool is1Alone = every(
+            [&](const PairHit &one) { return rests(one.left1) && goesOn(one.came2, one.left2); });
+        const bool is2Alone = every(
+            [&](const PairHit &one) { return rests(one.left2) && goesOn(one.came1, one.left1); });
+        add(is1Alone || is2Alone
+                ? ResponseText::tr("A hit stops circle %1 alone").arg(is1Alone ? 1 : 2)
+            : isNever ? ResponseText::tr("The circles do not stop in a hit")
+                      : ResponseText::tr("Not every hit stops both circles"),
             describeEquals(hit, right), hit);
         m_reading.said->isOfSome = !isNever;
     }

@@ -281,8 +281,8 @@ private:
                     {Aspect::Course,
                      WallText::tr("The floor does not hold circle %1 up\n\nAfter %2 s near the "
                                   "floor its rim is %3 m below it, and deeper than before: the "
-                                  "floor turns it, and yet gravity pulls it on. Put the circle "
-                                  "back where it touches.")
+                                  "floor changes its velocity, and yet gravity pulls it on. Put "
+                                  "the circle back where it touches.")
                          .arg(drop.circle + 1)
                          .arg(brief(static_cast<double>(drop.step) * drop.stage.preset.timestep),
                               brief(drop.depth)),
