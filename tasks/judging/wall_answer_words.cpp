@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judging/wall_comparison.h"
-
 #include "tasks/judging/brief_beside.h"
-#include "tasks/judging/likeness.h"
+#include "tasks/judging/wall_rebound_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +10,6 @@
 namespace cradle {
 
 namespace {
-
-/// Two programs may differ by so much at a wall under gravity or without: see MeasuredWalls::blur.
-bool isNear(double a, double b, double blur)
-{
-    return std::abs(a - b) <= blur * (1.0 + std::abs(b));
-}
 
 class AnswerJudge : WallComparison
 {
@@ -70,26 +62,19 @@ private:
             if (hit.isLost || isRightFall(hit))
                 continue;
             const bool isOnlyHeld = hit.held && right.turned && !isTurnedElse(hit);
-            const bool isTurnedOtherwise = hit.turned && right.turned
-                                           && (!isNear(hit.back, right.back, blur())
-                                               || !isNear(hit.along, right.along, blur()));
+            const bool isTurnedOtherwise =
+                hit.turned && right.turned
+                && (!isNear(hit.back, right.back) || !isNear(hit.along, right.along));
             if (isOnlyHeld || isTurnedOtherwise)
                 odd.push_back(i);
         }
         return odd;
     }
 
-    /// What is said of hits, with %who and %walls.
-    struct Words {
-        QString headline;
-        QString why;
-        bool isLaw = true; ///< one for all of them, not what differs from hit to hit
-    };
-
-    [[nodiscard]] Words wordsOf(const std::vector<std::size_t> &odd) const
+    [[nodiscard]] ReboundWords wordsOf(const std::vector<std::size_t> &odd) const
     {
         const std::size_t at = mostTelling(odd);
-        Words words = answerWords(odd, m_own.hits[at], rightOf(at));
+        ReboundWords words = reboundWords(*this, odd, at);
         words.isLaw &= std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
             return m_own.hits[i].held == m_own.hits[at].held;
         });
@@ -112,7 +97,7 @@ private:
         const std::size_t at = mostTelling(odd);
         const WallHit &hit = m_own.hits[at];
         const WallHit &right = rightOf(at);
-        const Words words = wordsOf(odd);
+        const ReboundWords words = wordsOf(odd);
         LawDeviation found =
             deviation(words.headline, seenAt(hit, right) + QLatin1Char(' ') + words.why, hit,
                       concerned, Suspect::Formula);
@@ -162,8 +147,6 @@ private:
         });
     }
 
-    [[nodiscard]] double blur() const { return std::max(m_own.blur, m_right.blur); }
-
     [[nodiscard]] QString seenAt(const WallHit &hit, const WallHit &right) const
     {
         const Vec2 n = outwardNormal(hit.wall);
@@ -179,257 +162,6 @@ private:
                + text.arg(motion::wallName(hit.wall), brief(hit.came), briefBeside(hit.left, good),
                           briefBeside(good, hit.left))
                      .arg(hit.circle + 1);
-    }
-
-    /// Whether the ratio \p part is \p law of the restitution in all hits by those circles and at
-    /// those walls of which some are at \p odd.
-    template <class Part, class Law>
-    bool follows(const std::vector<std::size_t> &odd, Part part, Law law) const
-    {
-        return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-            const bool isMeant = std::any_of(odd.begin(), odd.end(), [&](std::size_t i) {
-                return m_own.hits[i].circle == hit.circle && m_own.hits[i].wall == hit.wall;
-            });
-            return !isMeant || hit.isLeap() || !(hit.turned || hit.held)
-                   || isNear(part(hit), law(hit.restitution), blur());
-        });
-    }
-
-    [[nodiscard]] Words answerWords(const std::vector<std::size_t> &odd, const WallHit &hit,
-                                    const WallHit &right) const
-    {
-        const auto back = [](const WallHit &h) { return h.back; };
-        const auto along = [](const WallHit &h) { return h.along; };
-        const auto one = [](double) { return 1.0; };
-        const auto minusOne = [](double) { return -1.0; };
-        const auto zero = [](double) { return 0.0; };
-        const auto same = [](double e) { return e; };
-        const QString normalOnly =
-            WallText::tr("Where nothing rubs, a push points along the normal only.");
-        if (hit.held)
-            return {WallText::tr("Hits at the %walls hold %who and turn no velocity round"),
-                    hit.stays ? WallText::tr("It is put back in every step and runs into it again.")
-                              : WallText::tr("It is put back, and its velocity stays as it was.")};
-        if (isOfOther(odd))
-            return {WallText::tr("At the %walls %who gets the velocity of the other circle"),
-                    WallText::tr("The other circle had %1 m/s. Look at whose velocity the line "
-                                 "takes.")
-                        .arg(brief(hit.otherFree.velocity))};
-        if (follows(odd, back, minusOne) && follows(odd, along, minusOne))
-            return {WallText::tr("Hits at the %walls turn the wrong part of the velocity of %who"),
-                    WallText::tr("The normal of the side walls points along x, that of floor and "
-                                 "ceiling along y.")};
-        if (follows(odd, along, [&](double e) { return rebounds() ? -e : -1.0; })
-            && follows(odd, back, [&](double e) { return rebounds() ? e : 1.0; }))
-            return {WallText::tr("Hits at the %walls turn the whole velocity of %who round"),
-                    normalOnly};
-        if (rebounds() && follows(odd, along, same) && follows(odd, back, same))
-            return {WallText::tr("At the %walls e also shortens the part of %who along the wall"),
-                    normalOnly};
-        if (rebounds() && follows(odd, along, same) && follows(odd, back, one))
-            return {WallText::tr("At the %walls e acts on the wrong part of the velocity of %who"),
-                    normalOnly};
-        if (follows(odd, along, minusOne))
-            return {
-                WallText::tr("Hits at the %walls turn the part of %who along the wall round, too"),
-                normalOnly};
-        if (follows(odd, along, zero))
-            return {WallText::tr("Hits at the %walls take the part of %who along the wall away"),
-                    normalOnly};
-        if (isOfOtherPart(odd))
-            return {WallText::tr("At the %walls the parts of the velocity of %who are mixed up"),
-                    WallText::tr("The part into the wall is turned round, the part along it stays: "
-                                 "look at which part stands where.")};
-        const auto whole = [&](double) { return hit.along; };
-        if (!isNear(hit.along, right.along, blur()) && follows(odd, along, whole)
-            && follows(odd, back, whole))
-            return {WallText::tr("Hits at the %walls give %who %1 times the whole velocity back")
-                        .arg(brief(hit.along)),
-                    normalOnly};
-        if (!isNear(hit.along, right.along, blur()))
-            return {WallText::tr("Hits at the %walls change the part of %who along the wall"),
-                    normalOnly, false};
-        return backWords(odd, hit);
-    }
-
-    /// Whether in all of them the part into the wall afterwards is as large as that along it was
-    /// before, or the other way round.
-    [[nodiscard]] bool isOfOtherPart(const std::vector<std::size_t> &odd) const
-    {
-        const auto isEqual = [&](double a, double b) {
-            return isNear(std::abs(a), std::abs(b), blur());
-        };
-        return odd.size() > 1 && std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
-                   const WallHit &hit = m_own.hits[i];
-                   const Vec2 n = outwardNormal(hit.wall);
-                   const Vec2 t = perpendicular(n);
-                   return isEqual(dot(hit.left, n), dot(hit.came, t))
-                          || (isEqual(dot(hit.left, t), dot(hit.came, n))
-                              && !isEqual(dot(hit.left, t), dot(hit.came, t)));
-               });
-    }
-
-    [[nodiscard]] Words backWords(const std::vector<std::size_t> &odd, const WallHit &hit) const
-    {
-        const auto back = [](const WallHit &h) { return h.back; };
-        for (const BackLaw &law : backLaws()) {
-            if ((rebounds() || !law.hasE) && follows(odd, back, law.back))
-                return {law.headline, law.why};
-        }
-        const auto number = [&](double) { return hit.back; };
-        if (odd.size() > 2 && rebounds() && follows(odd, back, number))
-            return {WallText::tr("At the %walls a number stands for e, for %who"),
-                    WallText::tr("With every e tried %1 of the speed comes back.")
-                        .arg(brief(hit.back))};
-        const double share = hit.back / hit.restitution;
-        if (rebounds() && hit.restitution > 0.0
-            && follows(odd, back, [&](double e) { return share * e; }))
-            return {WallText::tr("Hits at the %walls give %who %1 e of the speed back, not e")
-                        .arg(brief(share)),
-                    lookAtNew()};
-        if (const auto speed = ownSpeed(odd))
-            return {WallText::tr("Hits at the %walls give %who a speed of their own"),
-                    WallText::tr("From every speed tried it has %1 m/s along the normal "
-                                 "afterwards: work the new velocity out from the old one.")
-                        .arg(brief(*speed))};
-        if (hit.back < 0.0)
-            return {WallText::tr("Hits at the %walls leave %who moving outward"),
-                    WallText::tr("Its velocity still points into the wall: look at what it is "
-                                 "worked out from.")};
-        // A share that is seen with one e alone is no law.
-        if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
-            return {WallText::tr("Hits at the %walls do not give %who e times the speed back"),
-                    WallText::tr("With e = %1 it is %2 times the speed, with e = %3 %4 times.")
-                            .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
-                                 brief(other->back))
-                        + QLatin1Char(' ') + lookAtNew(),
-                    false};
-        const auto lowest = std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
-            return m_own.hits[a].back < m_own.hits[b].back;
-        });
-        const auto highest = std::max_element(odd.begin(), odd.end(), [&](auto a, auto b) {
-            return m_own.hits[a].back < m_own.hits[b].back;
-        });
-        const double least = m_own.hits[*lowest].back;
-        const double most = m_own.hits[*highest].back;
-        if (!isNear(least, most, blur()))
-            return {
-                WallText::tr("Hits at the %walls give %who between %1 and %2 times the speed back")
-                    .arg(brief(least), brief(most)),
-                extremes(m_own.hits[*lowest], m_own.hits[*highest]), false};
-        const double asked = rightOf(static_cast<std::size_t>(&hit - m_own.hits.data())).back;
-        return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
-                    .arg(briefBeside(hit.back, asked)),
-                lookAtNew()};
-    }
-
-    static QString lookAtNew()
-    {
-        return WallText::tr("Look at what the new velocity is worked out from.");
-    }
-
-    /// Where the least and the most of the speed came back.
-    static QString extremes(const WallHit &least, const WallHit &most)
-    {
-        const auto speed = [](const WallHit &hit) {
-            return brief(dot(hit.came, outwardNormal(hit.wall)));
-        };
-        return WallText::tr("The least came at the %1 with %2 m/s into it, the most at the %3 with "
-                            "%4 m/s.")
-            .arg(motion::wallName(least.wall), speed(least), motion::wallName(most.wall),
-                 speed(most));
-    }
-
-    /// Whether all of them leave with the part along the normal that the other circle has, or with
-    /// that turned round. It had several.
-    [[nodiscard]] bool isOfOther(const std::vector<std::size_t> &odd) const
-    {
-        const auto normal = [](Vec2 v, const WallHit &hit) {
-            return std::abs(dot(v, outwardNormal(hit.wall)));
-        };
-        const auto other = [&](std::size_t i) {
-            return normal(m_own.hits[i].otherFree.velocity, m_own.hits[i]);
-        };
-        return std::all_of(odd.begin(), odd.end(),
-                           [&](std::size_t i) {
-                               const WallHit &hit = m_own.hits[i];
-                               return !hit.disturbs && other(i) > 0.0
-                                      && std::abs(normal(hit.left, hit) - other(i)) < 0.02;
-                           })
-               && std::any_of(odd.begin(), odd.end(), [&](std::size_t i) {
-                      return std::abs(other(i) - other(odd.front())) > 0.05;
-                  });
-    }
-
-    /// A hit like \p hit with another e that gives another share of the speed back.
-    [[nodiscard]] const WallHit *otherShare(const std::vector<std::size_t> &odd,
-                                            const WallHit &hit) const
-    {
-        const WallHit *right = nullptr;
-        for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            const WallHit &other = m_own.hits[i];
-            if (other.restitution == hit.restitution || !other.turned || other.circle != hit.circle
-                || isNear(other.back, hit.back, blur()))
-                continue;
-            if (std::find(odd.begin(), odd.end(), i) != odd.end())
-                return &other;
-            right = other.wall == hit.wall ? &other : right;
-        }
-        return right;
-    }
-
-    /// What may stand where the speed that comes back does.
-    struct BackLaw {
-        double (*back)(double e);
-        bool hasE; ///< it says something of e
-        QString headline;
-        QString why;
-    };
-
-    static std::vector<BackLaw> backLaws()
-    {
-        const QString look = WallText::tr("Its velocity still points into the wall: look at the "
-                                          "sign.");
-        return {{[](double) { return 1.0; }, true,
-                 WallText::tr("Hits at the %walls give %who all of the speed back"),
-                 WallText::tr("With every e tried nothing of it is lost.")},
-                {[](double e) { return e * e; }, true,
-                 WallText::tr("At the %walls e acts on %who twice"),
-                 WallText::tr("Heights go with e², speeds with e.")},
-                {[](double e) { return std::sqrt(e); }, true,
-                 WallText::tr("At the %walls the root of e acts on %who"),
-                 WallText::tr("Heights go with e², speeds with e.")},
-                {[](double) { return 0.0; }, false,
-                 WallText::tr("Hits at the %walls take the part of %who along the normal away"),
-                 WallText::tr("Of the part along the normal nothing comes back.")},
-                {[](double e) { return 1.0 - e; }, true,
-                 WallText::tr("At the %walls 1 − e stands where e belongs, for %who"),
-                 WallText::tr("1 − e is what is lost; e is what is left.")},
-                {[](double e) { return 1.0 + e; }, true,
-                 WallText::tr("At the %walls 1 + e stands where e belongs, for %who"),
-                 WallText::tr("1 + e is the whole change of the velocity, e what comes back.")},
-                {[](double) { return -1.0; }, false,
-                 WallText::tr("Hits at the %walls leave %who moving outward"), look},
-                {[](double e) { return -e; }, true,
-                 WallText::tr("Hits at the %walls slow %who and turn nothing round"), look}};
-    }
-
-    /// The speed that all leave a wall with, though they came with several.
-    [[nodiscard]] std::optional<double> ownSpeed(const std::vector<std::size_t> &odd) const
-    {
-        const auto speedOf = [](Vec2 v, const WallHit &hit) {
-            return std::abs(dot(v, outwardNormal(hit.wall)));
-        };
-        const WallHit &first = m_own.hits[odd.front()];
-        const double left = speedOf(first.left, first);
-        bool several = false;
-        for (const std::size_t i : odd) {
-            const WallHit &hit = m_own.hits[i];
-            if (std::abs(speedOf(hit.left, hit) - left) > 0.02 * left)
-                return std::nullopt;
-            several |= std::abs(speedOf(hit.came, hit) / speedOf(first.came, first) - 1.0) > 0.1;
-        }
-        return several ? std::optional(left) : std::nullopt;
     }
 };
 

@@ -6,6 +6,7 @@
 #include "tasks/text/spoken_locale.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -43,6 +44,11 @@ bool WallComparison::isRightFall(const WallHit &hit) const
     return hit.turned && fall != Vec2{}
            && (length(hit.left - turned(hit.was + fall)) < slack
                || length(hit.left - turned(hit.was) - fall) < slack);
+}
+
+bool WallComparison::isNear(double a, double b) const
+{
+    return std::abs(a - b) <= blur() * (1.0 + std::abs(b));
 }
 
 QString WallComparison::withE(const WallHit &hit) const

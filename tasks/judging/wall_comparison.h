@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <set>
 
 namespace cradle {
@@ -68,6 +69,11 @@ protected:
     /// Whether it was turned as it should be by who falls as asked in that step, before it or
     /// after: then only the steps without a hit are wrong.
     [[nodiscard]] bool isRightFall(const WallHit &hit) const;
+
+    /// Whether two ratios of velocities are the same but for what gravity blurs, see
+    /// MeasuredWalls::blur.
+    [[nodiscard]] bool isNear(double a, double b) const;
+    [[nodiscard]] double blur() const { return std::max(m_own.blur, m_right.blur); }
 
     /// "Here e is 0.5. ", where e is a word of the step.
     [[nodiscard]] QString withE(const WallHit &hit) const;

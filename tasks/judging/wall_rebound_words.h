@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/wall_comparison.h"
+
+namespace cradle {
+
+/// What is said of hits at walls, with %who and %walls.
+struct ReboundWords {
+    QString headline;
+    QString why;
+    bool isLaw = true; ///< one for all of them, not what differs from hit to hit
+};
+
+/// What walls make of the velocities in hits that come out wrong.
+/// \param odd    these hits, by their numbers in \p walls; not empty
+/// \param shown  the one of them that is quoted
+[[nodiscard]] ReboundWords reboundWords(const WallComparison &walls,
+                                        const std::vector<std::size_t> &odd, std::size_t shown);
+
+} // namespace cradle
