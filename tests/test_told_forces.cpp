@@ -193,7 +193,7 @@ void TestToldForces::eInTheOpenIsTold()
 void TestToldForces::aNumberForGravityIsTold()
 {
     const auto n = numbersIn(body("L42T17", way, QStringLiteral("vec(0.5, -3) * h")),
-                             "Under gravity (#, #) m/s² it is accelerated by (#, #) m/s², and by "
+                             "Under gravity (#, #) m/s² the acceleration is (#, #) m/s², and "
                              "(#, #) m/s² under (#, #) m/s².");
     QCOMPARE(n.size(), std::size_t{8});
     QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.5, -3.0}));

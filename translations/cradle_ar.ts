@@ -2183,10 +2183,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>في مشهدك تغيّر الخطوة الأولى سرعة %who</translation>
     </message>
     <message>
-        <source>One of these is asked for.</source>
-        <translation>المطلوب واحدة من هذه.</translation>
-    </message>
-    <message>
         <source>The motion of %who is no known method</source>
         <translation>لا تتحرك %who بطريقة معروفة</translation>
     </message>
@@ -2231,16 +2227,8 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>دائرتان تبدآن ساكنتين وبينهما ⁦1 m⁩ تصير المسافة بينهما ⁦%1 m⁩ بعد خطوة مدتها ⁦%2 s⁩. يبقى الموضع القديم كما هو؛ وتُضاف إليه المسافة ⁦v&#xa0;Δt⁩: انظر إلى الأقواس.</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁦%4 m⁩.</translation>
-    </message>
-    <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
         <translation> يجب أن تتغير كلتا مركّبتي الموضع، كلٌّ بمركّبة السرعة التي تخصها.</translation>
-    </message>
-    <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁨%6⁩ و⁦%7 m⁩.</translation>
     </message>
     <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
@@ -2285,10 +2273,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>Look at the line that changes the position.</source>
         <translation>انظر إلى السطر الذي يغيّر الموضع.</translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added.</source>
-        <translation>في كل خطوة يُضاف ⁦v&#xa0;Δt⁩ إلى الموضع.</translation>
     </message>
     <message>
         <source>The way of %who is subtracted instead of added</source>
@@ -2847,16 +2831,8 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>من ⁦%1 m/s⁩ في البداية تصير السرعة ⁦%2 m/s⁩ بعد خطوة، بعيدًا عن كل جدار وكل دائرة أخرى؛ أما الأسرع فيمضي. انظر إلى الشروط التي قبل الأسطر التي تغيّر السرعة.</translation>
     </message>
     <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد. انظر نصف قطر أيّ دائرة يرد في الأسئلة.</translation>
-    </message>
-    <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
         <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: نصف ذلك. من المركز إلى الحافة نصف القطر كله.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %3 is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation>نصف قطر الدائرة ⁨%3⁩ في ذلك المشهد ⁦%1 m⁩، ومع ذلك يأتي الارتداد حين يكون المركز على بعد ⁦0.2 m⁩ من الجدار. خذ نصف القطر الذي للدائرة.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
@@ -2885,10 +2861,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>مدة الخطوة هي معامل ⁦`on_update`⁩؛ أما ⁦`time`⁩ فالزمن منذ البداية، و⁦`step`⁩ يعدّ الخطوات.</translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
-        <translation>في كل خطوة يُضاف ⁦v Δt⁩ إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
@@ -3099,10 +3071,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>زيادة على ⁦v Δt⁩ تتقدم ⁦%1 m⁩ في خطوة مدتها ⁦%2 s⁩ تحت الجاذبية ⁦%3 m/s²⁩، و⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩. أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة ⁦½ g Δt²⁩.</translation>
     </message>
     <message>
-        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² under %4 m/s².</source>
-        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، ويكون ⁦%3 m/s²⁩ تحت ⁦%4 m/s²⁩.</translation>
-    </message>
-    <message>
         <source>The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
         <translation>الاسم ⁦`gravity`⁩ يحمل قيمة المشهد؛ انظر أين يستعمل برنامجك قيمة من عنده.</translation>
     </message>
@@ -3257,10 +3225,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>The method that moves %who depends on the velocity</source>
         <translation>الطريقة التي تحرّك %who تتوقف على السرعة</translation>
-    </message>
-    <message>
-        <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
-        <translation>زيادة على ⁦v Δt⁩ تتقدم ⁦%1 g Δt²⁩ حيث سرعتها ⁦%2 m/s⁩، و⁦%3 g Δt²⁩ حيث سرعتها ⁦%4 m/s⁩. أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة ⁦½ g Δt²⁩. انظر ما الذي يُسأل قبل الأسطر التي تحرّكها.</translation>
     </message>
     <message>
         <source>Where nothing rubs, a push points along the normal only.</source>
@@ -3422,16 +3386,8 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>عند %walls يحل نصف القطر الأكبر محل نصف قطر %who</translation>
     </message>
     <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
-        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، وهي ترتدّ حين يكون مركزها على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد، وهو أكبر. لكل دائرة نصف قطرها.</translation>
-    </message>
-    <message>
         <source>At the %walls the smaller radius stands for that of %who</source>
         <translation>عند %walls يحل نصف القطر الأصغر محل نصف قطر %who</translation>
-    </message>
-    <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
-        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، وهي ترتدّ حين يكون مركزها على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى في ذلك المشهد، وهو أصغر. لكل دائرة نصف قطرها.</translation>
     </message>
     <message>
         <source>Hits at the %walls turn %who round too late</source>
@@ -3508,14 +3464,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
         <translation>جاءت الدائرة ⁨%3⁩ بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩. يُصاب الجداران في الخطوة نفسها، وعلى كل منهما أن يعكس مركّبته، أيًّا كان الأول.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves a wall
-
-It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>تُردّ الدائرة ⁨%1⁩ مرة أخرى وهي تغادر جدارًا
-
-كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
     </message>
     <message>
         <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
@@ -3847,32 +3795,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>عند ⁦%1 s⁩ من تشغيلها تقدمت الدائرة ⁨%2⁩، وهي عند ⁦%3 m⁩ لا تلمس شيئًا، ⁦%4 m⁩ في خطوة مدتها ⁦%5 s⁩؛ وبتلك الطريقة تكون ⁦%6 m⁩.</translation>
     </message>
     <message>
-        <source>v Δt + %1 g Δt² is asked for.</source>
-        <translation>المطلوب v Δt + %1 g Δt².</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt².</source>
-        <translation>تحت الجاذبية ⁦%1 m/s²⁩ تتقدم v Δt + %2 g Δt² في الخطوة، وv هي السرعة قبلها. يضيف أويلر 0 إلى v Δt، وأويلر التماثلية g Δt²، والطرائق الدقيقة (Verlet و Runge-Kutta 4) ½ g Δt².</translation>
-    </message>
-    <message>
         <source>the exact parabola</source>
         <translation>القطع المكافئ الدقيق</translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation>كلٌّ من الدائرتين لها طريقة الأخرى
-
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 g Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 g Δt²⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation>تتحرك الدائرتان بطريقتين مختلفتين
-
-تحت الجاذبية تتقدم الدائرة 1 في الخطوة بمقدار ⁦%1 g Δt²⁩ زيادة على ⁦v Δt⁩، والدائرة 2 بمقدار ⁦%2 g Δt²⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
     </message>
     <message>
         <source>The acceleration of %who depends wrongly on the velocity</source>
@@ -4471,10 +4395,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>مع ⁦Δt = %1 s⁩ تكون المسافة ⁦v&#xa0;Δt⁩. انظر أي ⁦Δt⁩ يأخذ السطر الذي يغيّر الموضع.</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; %6 and %7 m are right.</source>
-        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ والصحيح ⁨%6⁩ و⁦%7 m⁩.</translation>
-    </message>
-    <message>
         <source>Let go at rest, it goes as it should.</source>
         <translation>إذا تُركت ساكنةً تحركت كما يجب.</translation>
     </message>
@@ -4605,6 +4525,98 @@ After %2 s near the floor its rim is %3 m below it, and deeper than before: the 
         <translation>الأرضية لا تحمل الدائرة ⁨%1⁩
 
 بعد ⁦%2 s⁩ قرب الأرضية صارت حافتها تحتها بمقدار ⁦%3 m⁩، وأعمق مما كانت: الأرضية تغيّر سرعتها ومع ذلك تجذبها الجاذبية. أعد الدائرة إلى حيث تلمس.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، ويكون ⁦%3 m/s²⁩ تحت ⁦%4 m/s²⁩.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the way of a step is %2, with v from before it.</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ تكون مسافة الخطوة ⁦%2⁩، وv هي السرعة قبلها.</translation>
+    </message>
+    <message>
+        <source>Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt²; one of these is asked for.</source>
+        <translation>أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة (Verlet و Runge-Kutta 4) ⁦½ g Δt²⁩؛ والمطلوب واحدة من هذه.</translation>
+    </message>
+    <message>
+        <source>Euler moves by the velocity from before the step alone.</source>
+        <translation>أويلر تحرّك بالسرعة التي قبل الخطوة وحدها.</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler changes the velocity first and moves by the new one, which is v Δt + g Δt².</source>
+        <translation>أويلر التماثلية تغيّر السرعة أولًا وتحرّك بالجديدة، وهذا ⁦v Δt + g Δt²⁩.</translation>
+    </message>
+    <message>
+        <source>%1 is asked for.</source>
+        <translation>المطلوب ⁦%1⁩.</translation>
+    </message>
+    <message>
+        <source>The sign of ½ g Δt² is wrong in the motion of %who</source>
+        <translation>إشارة ⁦½ g Δt²⁩ خاطئة في حركة %who</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity the way of circle 1 in a step is %1, that of circle 2 %2; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>كلٌّ من الدائرتين لها طريقة الأخرى
+
+تحت الجاذبية تكون مسافة الدائرة 1 في الخطوة ⁦%1⁩، ومسافة الدائرة 2 ⁦%2⁩؛ ويجب أن يكون العكس. انظر أيّ دائرة تسير بأي طريقة.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 moves by %1, with the way %2 in a step, and circle 2 by %3, with %4; both need the same. Look at which lines move which circle.</source>
+        <translation>تتحرك الدائرتان بطريقتين مختلفتين
+
+تحت الجاذبية تتحرك الدائرة 1 بطريقة ⁨%1⁩ والمسافة في الخطوة ⁦%2⁩، والدائرة 2 بطريقة ⁨%3⁩ والمسافة ⁦%4⁩؛ وكلتاهما تحتاج إلى الطريقة نفسها. انظر أيّ الأسطر تحرّك أيّ دائرة.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there. Look at whose radius stands in the questions.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، ويأتي الارتداد حين يكون المركز على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى هناك. انظر نصف قطر أيّ دائرة يرد في الأسئلة.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is larger. Each circle has its own.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، وهي ترتدّ حين يكون مركزها على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى هناك، وهو أكبر. لكل دائرة نصف قطرها.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is smaller. Each circle has its own.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هو ⁦%1 m⁩، وهي ترتدّ حين يكون مركزها على بعد ⁦%2 m⁩ من الجدار: وهو نصف قطر الدائرة الأخرى هناك، وهو أصغر. لكل دائرة نصف قطرها.</translation>
+    </message>
+    <message>
+        <source>Here the radius of circle %3 is %1 m, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>نصف قطر الدائرة ⁨%3⁩ هنا ⁦%1 m⁩، ومع ذلك يأتي الارتداد حين يكون المركز على بعد ⁦0.2 m⁩ من الجدار. خذ نصف القطر الذي للدائرة.</translation>
+    </message>
+    <message>
+        <source>Circle %1 was turned round again while it left a wall
+
+It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>رُدّت الدائرة ⁨%1⁩ مرة أخرى وهي تغادر جدارًا
+
+كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.</source>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁦%4 m⁩.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁨%6⁩ و⁦%7 m⁩.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, with %4 m/s %5 m; %6 and %7 m are right.</source>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩، وبسرعة ⁦%4 m/s⁩ تكون ⁦%5 m⁩؛ والصحيح ⁨%6⁩ و⁦%7 m⁩.</translation>
+    </message>
+    <message>
+        <source>The way of a step is %1 with the velocity %2 m/s, and %3 with %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that change the position.</source>
+        <translation>مسافة الخطوة ⁦%1⁩ بسرعة ⁦%2 m/s⁩، و⁦%3⁩ بسرعة ⁦%4 m/s⁩. أويلر لا تضيف شيئًا إلى ⁦v Δt⁩، وأويلر التماثلية تضيف ⁦g Δt²⁩، والطرائق الدقيقة ⁦½ g Δt²⁩. انظر ما الذي يُسأل قبل الأسطر التي تغيّر الموضع.</translation>
+    </message>
+    <message>
+        <source>Every step must add v Δt to the position. Look at what the line that changes the position takes in its place.</source>
+        <translation>يجب أن تضيف كل خطوة ⁦v Δt⁩ إلى الموضع. انظر ماذا يأخذ السطر الذي يغيّر الموضع بدلًا منه.</translation>
+    </message>
+    <message>
+        <source>Every step must add v Δt to the position.</source>
+        <translation>يجب أن تضيف كل خطوة ⁦v Δt⁩ إلى الموضع.</translation>
     </message>
 </context>
 <context>

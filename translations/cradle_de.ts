@@ -2087,10 +2087,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who hängt der neue Ort nicht vom alten ab</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt der Kreis in einem Schritt %3 m weit; v Δt ist %4 m.</translation>
-    </message>
-    <message>
         <source>The way of %who is not multiplied by the timestep</source>
         <translation>Für %who wird der Weg nicht mit dem Zeitschritt multipliziert</translation>
     </message>
@@ -2117,10 +2113,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>Look at the line that changes the position.</source>
         <translation>Sieh dir die Zeile an, die den Ort ändert.</translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added.</source>
-        <translation>In jedem Schritt kommt zum Ort v Δt hinzu.</translation>
     </message>
     <message>
         <source>The way of %who is subtracted instead of added</source>
@@ -2249,10 +2241,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>What acts on the velocity of %who is %1 times as strong as it should be</source>
         <translation>Für %who ist das, was auf die Geschwindigkeit wirkt, %1-mal so stark, wie es sein soll</translation>
-    </message>
-    <message>
-        <source>One of these is asked for.</source>
-        <translation>Verlangt ist eines davon.</translation>
     </message>
     <message>
         <source>The motion of %who is no known method</source>
@@ -2671,10 +2659,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation> Beide Koordinaten des Orts müssen sich ändern, jede mit ihrem eigenen Anteil der Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
-        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt er in einem Schritt um %3 m weiter, mit %4 m/s um %5 m; v Δt ist %6 und %7 m.</translation>
-    </message>
-    <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
         <translation>Jede Koordinate des Orts ändert sich mit ihrem eigenen Anteil der Geschwindigkeit.</translation>
     </message>
@@ -2823,16 +2807,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Aus %1 m/s am Anfang werden einen Schritt später %2 m/s, fern von jeder Wand und jedem anderen Kreis; ein schnellerer läuft weiter. Sieh dir die Bedingungen vor den Zeilen an, die die Geschwindigkeit ändern.</translation>
     </message>
     <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene. Sieh nach, wessen Radius in den Fragen steht.</translation>
-    </message>
-    <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
         <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: die Hälfte davon. Vom Mittelpunkt zum Rand ist es der ganze Radius.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %3 is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation>Der Radius von Kreis %3 ist in dieser Szene %1 m, und doch wird umgekehrt, wenn der Mittelpunkt 0.2 m von der Wand entfernt ist. Nimm den Radius, den der Kreis hat.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
@@ -2861,10 +2837,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>Wie lange ein Zeitschritt dauert, ist der Parameter von `on_update`; `time` ist die Zeit seit dem Start, und `step` zählt.</translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
-        <translation>In jedem Schritt kommt v Δt zum Ort hinzu. Sieh nach, was die Zeile, die den Ort ändert, stattdessen nimmt.</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
@@ -3075,10 +3047,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Außer v Δt kommt er unter der Schwerkraft %3 m/s² in einem Schritt von %2 s um %1 m weiter, und in einem von %5 s um %4 m. Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren ½ g Δt².</translation>
     </message>
     <message>
-        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² under %4 m/s².</source>
-        <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s² unter %4 m/s².</translation>
-    </message>
-    <message>
         <source>The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
         <translation>Der Name `gravity` enthält den Wert der Szene; sieh nach, wo dein Programm einen eigenen hat.</translation>
     </message>
@@ -3233,10 +3201,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>The method that moves %who depends on the velocity</source>
         <translation>Das Verfahren, das %who bewegt, hängt von der Geschwindigkeit ab</translation>
-    </message>
-    <message>
-        <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
-        <translation>Außer v Δt kommt er um %1 g Δt² weiter, wo seine Geschwindigkeit %2 m/s ist, und um %3 g Δt², wo sie %4 m/s ist. Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren ½ g Δt². Sieh dir an, was vor den Zeilen gefragt wird, die ihn bewegen.</translation>
     </message>
     <message>
         <source>Where nothing rubs, a push points along the normal only.</source>
@@ -3398,16 +3362,8 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>An %walls steht der größere Radius statt des eigenen (%who)</translation>
     </message>
     <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
-        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene, der größer ist. Jeder Kreis hat seinen eigenen.</translation>
-    </message>
-    <message>
         <source>At the %walls the smaller radius stands for that of %who</source>
         <translation>An %walls steht der kleinere Radius statt des eigenen (%who)</translation>
-    </message>
-    <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
-        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises in dieser Szene, der kleiner ist. Jeder Kreis hat seinen eigenen.</translation>
     </message>
     <message>
         <source>Hits at the %walls turn %who round too late</source>
@@ -3484,14 +3440,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
         <translation>Kreis %3 kam mit %1 m/s an und ging mit %2 m/s weg. Beide Wände werden im selben Schritt getroffen, und jede muss ihren Anteil umkehren, welche auch zuerst kommt.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves a wall
-
-It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>Kreis %1 wird noch einmal umgekehrt, während er eine Wand verlässt
-
-Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umkehrst.</translation>
     </message>
     <message>
         <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
@@ -3811,32 +3759,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Nach %1 s seines Laufs kam Kreis %2 bei %3 m, ohne etwas zu berühren, in einem Schritt von %5 s um %4 m weiter; nach jenem Verfahren sind es %6 m.</translation>
     </message>
     <message>
-        <source>v Δt + %1 g Δt² is asked for.</source>
-        <translation>Verlangt ist v Δt + %1 g Δt².</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt².</source>
-        <translation>Unter der Schwerkraft %1 m/s² kommt er in einem Schritt um v Δt + %2 g Δt² weiter, mit v von davor. Euler fügt v Δt 0 hinzu, der symplektische Euler g Δt², die genauen Verfahren (Verlet, Runge-Kutta 4) ½ g Δt².</translation>
-    </message>
-    <message>
         <source>the exact parabola</source>
         <translation>die genaue Parabel</translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation>Jeder Kreis hat das Verfahren des anderen
-
-Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 g Δt² weiter und Kreis 2 um %2 g Δt²; es sollte umgekehrt sein. Sieh nach, welcher Kreis zu welchem Verfahren gehört.</translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation>Die Kreise bewegen sich nach verschiedenen Verfahren
-
-Unter der Schwerkraft kommt Kreis 1 in einem Schritt außer um v Δt noch um %1 g Δt² weiter und Kreis 2 um %2 g Δt²; beide brauchen dasselbe. Sieh nach, welche Zeilen welchen Kreis bewegen.</translation>
     </message>
     <message>
         <source>The acceleration of %who depends wrongly on the velocity</source>
@@ -4419,10 +4343,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>Mit Δt = %1 s kommt er um v Δt weiter. Sieh nach, welches Δt die Zeile nimmt, die den Ort ändert.</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; %6 and %7 m are right.</source>
-        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s kommt er in einem Schritt um %3 m weiter, mit %4 m/s um %5 m; richtig sind %6 und %7 m.</translation>
-    </message>
-    <message>
         <source>Let go at rest, it goes as it should.</source>
         <translation>In Ruhe losgelassen, bewegt er sich, wie er soll.</translation>
     </message>
@@ -4553,6 +4473,98 @@ After %2 s near the floor its rim is %3 m below it, and deeper than before: the 
         <translation>Der Boden hält Kreis %1 nicht oben
 
 Nach %2 s in der Nähe des Bodens liegt sein Rand %3 m darunter, und tiefer als vorher: Der Boden ändert seine Geschwindigkeit, und doch zieht ihn die Schwerkraft weiter. Setze den Kreis dorthin zurück, wo er den Boden berührt.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².</source>
+        <translation>Unter der Schwerkraft %1 m/s² ist die Beschleunigung %2 m/s², und %3 m/s² unter %4 m/s².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the way of a step is %2, with v from before it.</source>
+        <translation>Unter der Schwerkraft %1 m/s² ist der Weg eines Schritts %2, mit v von davor.</translation>
+    </message>
+    <message>
+        <source>Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt²; one of these is asked for.</source>
+        <translation>Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren (Verlet, Runge-Kutta 4) ½ g Δt²; verlangt ist eines davon.</translation>
+    </message>
+    <message>
+        <source>Euler moves by the velocity from before the step alone.</source>
+        <translation>Euler bewegt allein mit der Geschwindigkeit von vor dem Schritt.</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler changes the velocity first and moves by the new one, which is v Δt + g Δt².</source>
+        <translation>Der symplektische Euler ändert zuerst die Geschwindigkeit und bewegt mit der neuen, und das ist v Δt + g Δt².</translation>
+    </message>
+    <message>
+        <source>%1 is asked for.</source>
+        <translation>Verlangt ist %1.</translation>
+    </message>
+    <message>
+        <source>The sign of ½ g Δt² is wrong in the motion of %who</source>
+        <translation>Für %who ist das Vorzeichen von ½ g Δt² falsch</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity the way of circle 1 in a step is %1, that of circle 2 %2; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>Jeder Kreis hat das Verfahren des anderen
+
+Unter der Schwerkraft ist der Weg von Kreis 1 in einem Schritt %1, der von Kreis 2 %2; es sollte umgekehrt sein. Sieh nach, welcher Kreis zu welchem Verfahren gehört.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 moves by %1, with the way %2 in a step, and circle 2 by %3, with %4; both need the same. Look at which lines move which circle.</source>
+        <translation>Die Kreise bewegen sich nach verschiedenen Verfahren
+
+Unter der Schwerkraft bewegt sich Kreis 1 nach %1, mit dem Weg %2 in einem Schritt, und Kreis 2 nach %3, mit %4; beide brauchen dasselbe. Sieh nach, welche Zeilen welchen Kreis bewegen.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there. Look at whose radius stands in the questions.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dort. Sieh nach, wessen Radius in den Fragen steht.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is larger. Each circle has its own.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dort, der größer ist. Jeder Kreis hat seinen eigenen.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is smaller. Each circle has its own.</source>
+        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dort, der kleiner ist. Jeder Kreis hat seinen eigenen.</translation>
+    </message>
+    <message>
+        <source>Here the radius of circle %3 is %1 m, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>Hier ist der Radius von Kreis %3 %1 m, und doch wird umgekehrt, wenn der Mittelpunkt 0.2 m von der Wand entfernt ist. Nimm den Radius, den der Kreis hat.</translation>
+    </message>
+    <message>
+        <source>Circle %1 was turned round again while it left a wall
+
+It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Kreis %1 wurde noch einmal umgekehrt, während er eine Wand verließ
+
+Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umkehrst.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s ist der Weg eines Schritts %3 m; v Δt ist %4 m.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s ist der Weg eines Schritts %3 m, mit %4 m/s %5 m; v Δt ist %6 und %7 m.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, with %4 m/s %5 m; %6 and %7 m are right.</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s ist der Weg eines Schritts %3 m, mit %4 m/s %5 m; richtig sind %6 und %7 m.</translation>
+    </message>
+    <message>
+        <source>The way of a step is %1 with the velocity %2 m/s, and %3 with %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that change the position.</source>
+        <translation>Der Weg eines Schritts ist %1 mit der Geschwindigkeit %2 m/s, und %3 mit %4 m/s. Euler fügt zu v Δt nichts hinzu, der symplektische Euler g Δt², die genauen Verfahren ½ g Δt². Sieh dir an, was vor den Zeilen gefragt wird, die den Ort ändern.</translation>
+    </message>
+    <message>
+        <source>Every step must add v Δt to the position. Look at what the line that changes the position takes in its place.</source>
+        <translation>Jeder Schritt muss zum Ort v Δt hinzufügen. Sieh nach, was die Zeile, die den Ort ändert, stattdessen nimmt.</translation>
+    </message>
+    <message>
+        <source>Every step must add v Δt to the position.</source>
+        <translation>Jeder Schritt muss zum Ort v Δt hinzufügen.</translation>
     </message>
 </context>
 <context>

@@ -2159,10 +2159,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Dans votre propre scène, le premier pas change la vitesse, pour %who</translation>
     </message>
     <message>
-        <source>One of these is asked for.</source>
-        <translation>L&apos;un de ceux-ci est demandé.</translation>
-    </message>
-    <message>
         <source>The motion of %who is no known method</source>
         <translation>Le mouvement ne suit aucune méthode connue, pour %who</translation>
     </message>
@@ -2207,16 +2203,8 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Deux cercles partis à 1 m l&apos;un de l&apos;autre, au repos, sont à %1 m l&apos;un de l&apos;autre un pas de %2 s plus tard. L&apos;ancienne position se garde telle quelle&#xa0;; on lui ajoute le chemin v Δt&#xa0;: regardez les parenthèses.</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt is %4 m.</source>
-        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; v Δt vaut %4 m.</translation>
-    </message>
-    <message>
         <source> Both parts of the position must change, each by its own part of the velocity.</source>
         <translation> Les deux coordonnées de la position doivent changer, chacune avec sa propre composante de la vitesse.</translation>
-    </message>
-    <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
-        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; avec %4 m/s, de %5 m&#xa0;; v Δt vaut %6 et %7 m.</translation>
     </message>
     <message>
         <source>Each part of the position changes by its own part of the velocity.</source>
@@ -2261,10 +2249,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>Look at the line that changes the position.</source>
         <translation>Regardez la ligne qui change la position.</translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added.</source>
-        <translation>À chaque pas, on ajoute v Δt à la position.</translation>
     </message>
     <message>
         <source>The way of %who is subtracted instead of added</source>
@@ -2823,16 +2807,8 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>De %1 m/s au départ, la vitesse passe à %2 m/s un pas plus tard, loin de toute paroi et de tout autre cercle&#xa0;; un cercle plus rapide continue. Regardez les conditions devant les lignes qui changent la vitesse.</translation>
     </message>
     <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene. Look at whose radius stands in the questions.</source>
-        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est le rayon de l&apos;autre cercle de cette scène. Regardez le rayon de quel cercle figure dans les conditions.</translation>
-    </message>
-    <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: half of that. From the centre to the rim it is the whole radius.</source>
         <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: la moitié. Du centre au bord, c&apos;est le rayon entier.</translation>
-    </message>
-    <message>
-        <source>The radius of circle %3 is %1 m in that scene, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
-        <translation>Le rayon du cercle %3 est de %1 m dans cette scène, et pourtant le demi-tour a lieu quand le centre est à 0.2 m de la paroi. Prenez le rayon que possède le cercle.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: twice the radius. From the centre to the rim it is one.</source>
@@ -2861,10 +2837,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>How long a step lasts is the parameter of `on_update`; `time` is the time since the start, and `step` counts.</source>
         <translation>La durée d&apos;un pas est le paramètre de `on_update`&#xa0;; `time` est le temps depuis le départ, et `step` compte les pas.</translation>
-    </message>
-    <message>
-        <source>In every step its position gets v Δt added. Look at what the line that changes the position takes in its place.</source>
-        <translation>À chaque pas, v Δt s&apos;ajoute à la position. Regardez ce que la ligne qui change la position prend à la place.</translation>
     </message>
     <message>
         <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it were %4 times. Compare the lines for the two masses.</source>
@@ -3075,10 +3047,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Outre v Δt, il avance de %1 m en un pas de %2 s sous la pesanteur %3 m/s², et de %4 m en un pas de %5 s. Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes ½ g Δt².</translation>
     </message>
     <message>
-        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² under %4 m/s².</source>
-        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² sous %4 m/s².</translation>
-    </message>
-    <message>
         <source>The name `gravity` holds the value of the scene; look where your program has one of its own.</source>
         <translation>Le nom `gravity` contient la valeur de la scène&#xa0;; cherchez où votre programme a la sienne.</translation>
     </message>
@@ -3233,10 +3201,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>The method that moves %who depends on the velocity</source>
         <translation>La méthode qui déplace %who dépend de la vitesse</translation>
-    </message>
-    <message>
-        <source>Besides v Δt it goes on by %1 g Δt² where its velocity is %2 m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that move it.</source>
-        <translation>Outre v Δt, il avance de %1 g Δt² là où sa vitesse est de %2 m/s, et de %3 g Δt² là où elle est de %4 m/s. Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes ½ g Δt². Regardez ce qui est demandé avant les lignes qui le déplacent.</translation>
     </message>
     <message>
         <source>Where nothing rubs, a push points along the normal only.</source>
@@ -3398,16 +3362,8 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Contre %walls, le plus grand rayon tient lieu du bon, pour %who</translation>
     </message>
     <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is larger. Each circle has its own.</source>
-        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle dans cette scène, qui est plus grand. Chaque cercle a le sien.</translation>
-    </message>
-    <message>
         <source>At the %walls the smaller radius stands for that of %who</source>
         <translation>Contre %walls, le plus petit rayon tient lieu du bon, pour %who</translation>
-    </message>
-    <message>
-        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle in that scene, which is smaller. Each circle has its own.</source>
-        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle dans cette scène, qui est plus petit. Chaque cercle a le sien.</translation>
     </message>
     <message>
         <source>Hits at the %walls turn %who round too late</source>
@@ -3484,14 +3440,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
         <translation>Le cercle %3 est arrivé à %1 m/s et est reparti à %2 m/s. Les deux parois sont touchées dans le même pas, et chacune doit inverser sa composante, quelle que soit la première.</translation>
-    </message>
-    <message>
-        <source>Circle %1 is turned round again while it leaves a wall
-
-It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
-        <translation>Le cercle %1 est renvoyé une seconde fois alors qu&apos;il quitte une paroi
-
-Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
     </message>
     <message>
         <source>circle 1 came with %1 m/s, circle 2 with %2 m/s</source>
@@ -3811,32 +3759,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>À %1 s de son exécution, le cercle %2, à %3 m et sans rien toucher, a avancé de %4 m en un pas de %5 s&#xa0;; par cette méthode, c&apos;est %6 m.</translation>
     </message>
     <message>
-        <source>v Δt + %1 g Δt² is asked for.</source>
-        <translation>Il faut v Δt + %1 g Δt².</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt².</source>
-        <translation>Sous la pesanteur %1 m/s², il avance de v Δt + %2 g Δt² en un pas, v étant celle d&apos;avant. Euler ajoute 0 à v Δt, Euler symplectique g Δt², les méthodes exactes (Verlet, Runge-Kutta 4) ½ g Δt².</translation>
-    </message>
-    <message>
         <source>the exact parabola</source>
         <translation>la parabole exacte</translation>
-    </message>
-    <message>
-        <source>The circles have each other&apos;s method
-
-Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it should be the other way round. Look at which circle goes with which method.</source>
-        <translation>Chaque cercle a la méthode de l&apos;autre
-
-Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt, et le cercle 2 de %2 g Δt²&#xa0;; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
-    </message>
-    <message>
-        <source>The circles move by different methods
-
-Under gravity circle 1 goes on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both need the same. Look at which lines move which circle.</source>
-        <translation>Les cercles se déplacent selon des méthodes différentes
-
-Sous la pesanteur, en un pas, le cercle 1 avance de %1 g Δt² en plus de v Δt, et le cercle 2 de %2 g Δt²&#xa0;; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
     </message>
     <message>
         <source>The acceleration of %who depends wrongly on the velocity</source>
@@ -4419,10 +4343,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Avec Δt = %1 s, le chemin est v Δt. Regardez quel Δt prend la ligne qui change la position.</translation>
     </message>
     <message>
-        <source>With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, with %4 m/s %5 m; %6 and %7 m are right.</source>
-        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; avec %4 m/s, de %5 m&#xa0;; les valeurs justes sont %6 et %7 m.</translation>
-    </message>
-    <message>
         <source>Let go at rest, it goes as it should.</source>
         <translation>Lâché au repos, il se déplace comme il le doit.</translation>
     </message>
@@ -4553,6 +4473,98 @@ After %2 s near the floor its rim is %3 m below it, and deeper than before: the 
         <translation>Le sol ne retient pas le cercle %1
 
 Après %2 s près du sol, son bord est %3 m au-dessous, et plus bas qu&apos;avant&#xa0;: le sol change sa vitesse, et pourtant la pesanteur continue de l&apos;entraîner. Remettez le cercle là où il touche le sol.</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².</source>
+        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² sous %4 m/s².</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² the way of a step is %2, with v from before it.</source>
+        <translation>Sous la pesanteur %1 m/s², le chemin d&apos;un pas est %2, v étant la vitesse d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods (Verlet, Runge-Kutta 4) ½ g Δt²; one of these is asked for.</source>
+        <translation>Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes (Verlet, Runge-Kutta 4) ½ g Δt²&#xa0;; l&apos;un de ceux-ci est demandé.</translation>
+    </message>
+    <message>
+        <source>Euler moves by the velocity from before the step alone.</source>
+        <translation>Euler déplace avec la seule vitesse d&apos;avant le pas.</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler changes the velocity first and moves by the new one, which is v Δt + g Δt².</source>
+        <translation>Euler symplectique change d&apos;abord la vitesse et déplace avec la nouvelle, ce qui fait v Δt + g Δt².</translation>
+    </message>
+    <message>
+        <source>%1 is asked for.</source>
+        <translation>Il faut %1.</translation>
+    </message>
+    <message>
+        <source>The sign of ½ g Δt² is wrong in the motion of %who</source>
+        <translation>Le signe de ½ g Δt² est faux, pour %who</translation>
+    </message>
+    <message>
+        <source>The circles have each other&apos;s method
+
+Under gravity the way of circle 1 in a step is %1, that of circle 2 %2; it should be the other way round. Look at which circle goes with which method.</source>
+        <translation>Chaque cercle a la méthode de l&apos;autre
+
+Sous la pesanteur, le chemin du cercle 1 en un pas est %1, celui du cercle 2 %2&#xa0;; ce devrait être l&apos;inverse. Regardez quel cercle va avec quelle méthode.</translation>
+    </message>
+    <message>
+        <source>The circles move by different methods
+
+Under gravity circle 1 moves by %1, with the way %2 in a step, and circle 2 by %3, with %4; both need the same. Look at which lines move which circle.</source>
+        <translation>Les cercles se déplacent selon des méthodes différentes
+
+Sous la pesanteur, le cercle 1 se déplace selon %1, avec le chemin %2 en un pas, et le cercle 2 selon %3, avec %4&#xa0;; il faut la même pour les deux. Regardez quelles lignes déplacent quel cercle.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there. Look at whose radius stands in the questions.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est le rayon de l&apos;autre cercle à cet endroit. Regardez le rayon de quel cercle figure dans les conditions.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is larger. Each circle has its own.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle à cet endroit, qui est plus grand. Chaque cercle a le sien.</translation>
+    </message>
+    <message>
+        <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is smaller. Each circle has its own.</source>
+        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle à cet endroit, qui est plus petit. Chaque cercle a le sien.</translation>
+    </message>
+    <message>
+        <source>Here the radius of circle %3 is %1 m, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
+        <translation>Ici, le rayon du cercle %3 est de %1 m, et pourtant le demi-tour a lieu quand le centre est à 0.2 m de la paroi. Prenez le rayon que possède le cercle.</translation>
+    </message>
+    <message>
+        <source>Circle %1 was turned round again while it left a wall
+
+It was on its way back from the %2 and was turned into it once more. Put it back inside, or ask which way it moves before you turn it.</source>
+        <translation>Le cercle %1 a été renvoyé une seconde fois alors qu&apos;il quittait une paroi
+
+Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; v Δt vaut %4 m.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, with %4 m/s %5 m; v Δt is %6 and %7 m.</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; avec %4 m/s, de %5 m&#xa0;; v Δt vaut %6 et %7 m.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, with %4 m/s %5 m; %6 and %7 m are right.</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; avec %4 m/s, de %5 m&#xa0;; les valeurs justes sont %6 et %7 m.</translation>
+    </message>
+    <message>
+        <source>The way of a step is %1 with the velocity %2 m/s, and %3 with %4 m/s. Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look at what is asked before the lines that change the position.</source>
+        <translation>Le chemin d&apos;un pas est %1 avec la vitesse %2 m/s, et %3 avec %4 m/s. Euler n&apos;ajoute rien à v Δt, Euler symplectique g Δt², les méthodes exactes ½ g Δt². Regardez ce qui est demandé avant les lignes qui changent la position.</translation>
+    </message>
+    <message>
+        <source>Every step must add v Δt to the position. Look at what the line that changes the position takes in its place.</source>
+        <translation>Chaque pas doit ajouter v Δt à la position. Regardez ce que la ligne qui change la position prend à la place.</translation>
+    </message>
+    <message>
+        <source>Every step must add v Δt to the position.</source>
+        <translation>Chaque pas doit ajouter v Δt à la position.</translation>
     </message>
 </context>
 <context>

@@ -119,9 +119,10 @@ private:
     [[nodiscard]] FlightSaid besides(Vec2 g) const
     {
         const Vec2 other = otherGravity(g);
-        const QString seen = FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², "
-                                            "and by %3 m/s² under %4 m/s².")
-                                 .arg(brief(g), brief(own(g)), brief(own(other)), brief(other));
+        const QString seen =
+            FlightText::tr(
+                "Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².")
+                .arg(brief(g), brief(own(g)), brief(own(other)), brief(other));
         if (isAlike(own(g), own(other), wrong))
             return {FlightText::tr("A number stands for gravity in the motion of %who"),
                     seen + QLatin1Char(' ')

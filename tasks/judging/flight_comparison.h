@@ -177,6 +177,8 @@ protected:
 [[nodiscard]] bool isOneMethod(double share, double other);
 /// The method that adds that share of g Δt² to v Δt; empty if none does.
 [[nodiscard]] QString methodName(double share);
+/// How far a step goes by the method that adds that share of g Δt²: "v Δt + ½ g Δt²".
+[[nodiscard]] QString wayBy(double share);
 /// What is wrong with the methods of all circles together.
 [[nodiscard]] std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own,
                                                           const Ground &ground);

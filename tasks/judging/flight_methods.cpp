@@ -26,17 +26,12 @@ public:
             if (std::any_of(shares.begin(), shares.end(), is) || isSubstepped(*share)
                 || (!isFallRight && !isOtherMethod(g, *share)))
                 return std::nullopt;
-            const QString asked =
-                shares.size() == 1
-                    ? FlightText::tr("v Δt + %1 g Δt² is asked for.").arg(brief(shares.front()))
-                    : FlightText::tr("One of these is asked for.");
             return FlightSaid{
                 headlineOf(*share, shares),
-                FlightText::tr("Under gravity %1 m/s² it goes v Δt + %2 g Δt² in a step, with v "
-                               "from before it. Euler adds 0 to v Δt, symplectic Euler g Δt², the "
-                               "exact methods (Verlet, Runge-Kutta 4) ½ g Δt².")
-                        .arg(brief(g), brief(*share))
-                    + QLatin1Char(' ') + asked,
+                FlightText::tr(
+                    "Under gravity %1 m/s² the way of a step is %2, with v from before it.")
+                        .arg(brief(g), wayBy(*share))
+                    + QLatin1Char(' ') + askedFor(shares),
                 moment(true, g), true};
         }
         return std::nullopt;
@@ -64,9 +59,29 @@ private:
                && (parts > most || std::abs(parts - std::round(parts)) < 5e-3 * parts);
     }
 
+    /// What would be right, in the words of the methods.
+    static QString askedFor(const std::vector<double> &wanted)
+    {
+        const auto is = [&](double s) { return isOneMethod(wanted.front(), s); };
+        if (wanted.size() > 1)
+            return FlightText::tr(
+                "Euler adds nothing to v Δt, symplectic Euler g Δt², the exact "
+                "methods (Verlet, Runge-Kutta 4) ½ g Δt²; one of these is asked for.");
+        if (is(0.0))
+            return FlightText::tr("Euler moves by the velocity from before the step alone.");
+        if (is(1.0))
+            return FlightText::tr("Symplectic Euler changes the velocity first and moves by the "
+                                  "new one, which is v Δt + g Δt².");
+        return FlightText::tr("%1 is asked for.").arg(wayBy(wanted.front()));
+    }
+
     static QString headlineOf(double share, const std::vector<double> &wanted)
     {
         const auto is = [&](double s) { return isOneMethod(share, s); };
+        if (is(-0.5) && std::any_of(wanted.begin(), wanted.end(), [](double s) {
+                return isOneMethod(s, 0.5);
+            }))
+            return FlightText::tr("The sign of ½ g Δt² is wrong in the motion of %who");
         if (wanted.size() > 1)
             return FlightText::tr("The motion of %who is no known method");
         const QString asked = methodName(wanted.front());
@@ -90,6 +105,18 @@ QString methodName(double share)
     if (isOneMethod(share, 1.0))
         return motion::integratorName(Integrator::SymplecticEuler);
     return isOneMethod(share, 0.5) ? FlightText::tr("the exact parabola") : QString();
+}
+
+QString wayBy(double share)
+{
+    if (isOneMethod(share, 0.0))
+        return QStringLiteral("v Δt");
+    const QString sign = share < 0.0 ? QStringLiteral(" − ") : QStringLiteral(" + ");
+    const double size = std::abs(share);
+    const QString factor = isOneMethod(size, 1.0)   ? QString()
+                           : isOneMethod(size, 0.5) ? QStringLiteral("½ ")
+                                                    : brief(size) + QLatin1Char(' ');
+    return QStringLiteral("v Δt") + sign + factor + QStringLiteral("g Δt²");
 }
 
 std::optional<FlightSaid> methodSaid(const FlightComparison &comparison, bool isFallRight)
@@ -125,20 +152,21 @@ std::optional<LawDeviation> methodsTogether(const MeasuredFlight &own, const Gro
         asks(0, shares[1]) && asks(1, shares[0]) && !asks(0, shares[0]) && !asks(1, shares[1]);
     if (exchanged) {
         deviation.message =
-            FlightText::tr("The circles have each other's method\n\nUnder gravity circle 1 goes on "
-                           "by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; it "
+            FlightText::tr("The circles have each other's method\n\nUnder gravity the way of "
+                           "circle 1 in a step is %1, that of circle 2 %2; it "
                            "should be the other way round. Look at which circle goes with which "
                            "method.")
-                .arg(brief(shares[0]), brief(shares[1]));
+                .arg(wayBy(shares[0]), wayBy(shares[1]));
         return deviation;
     }
     if (ground.sameIntegrator && !isOneMethod(shares[0], shares[1]) && asks(0, shares[0])
         && asks(1, shares[1])) {
         deviation.message =
-            FlightText::tr("The circles move by different methods\n\nUnder gravity circle 1 goes "
-                           "on by %1 g Δt² in a step besides v Δt, and circle 2 by %2 g Δt²; both "
+            FlightText::tr("The circles move by different methods\n\nUnder gravity circle 1 moves "
+                           "by %1, with the way %2 in a step, and circle 2 by %3, with %4; both "
                            "need the same. Look at which lines move which circle.")
-                .arg(brief(shares[0]), brief(shares[1]));
+                .arg(methodName(shares[0]), wayBy(shares[0]), methodName(shares[1]),
+                     wayBy(shares[1]));
         return deviation;
     }
     return std::nullopt;

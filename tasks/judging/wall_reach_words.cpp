@@ -158,17 +158,17 @@ private:
              WallText::tr("At the %walls the radius of another circle stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
                           "from the wall: "
-                          "the radius of the other circle in that scene. Look at whose radius "
+                          "the radius of the other circle there. Look at whose radius "
                           "stands in the questions.")},
             {[](const WallHit &hit) { return std::max(hit.radius, hit.otherRadius); },
              WallText::tr("At the %walls the larger radius stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: the radius of the other circle in that scene, which is "
+                          "from the wall: the radius of the other circle there, which is "
                           "larger. Each circle has its own.")},
             {[](const WallHit &hit) { return std::min(hit.radius, hit.otherRadius); },
              WallText::tr("At the %walls the smaller radius stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: the radius of the other circle in that scene, which is "
+                          "from the wall: the radius of the other circle there, which is "
                           "smaller. Each circle has its own.")},
             {[](const WallHit &hit) { return 0.5 * hit.radius; },
              WallText::tr("Hits at the %walls turn %who round too late"),
@@ -176,7 +176,7 @@ private:
                           "from the wall: "
                           "half of that. From the centre to the rim it is the whole radius.")},
             {fixed(0.2), WallText::tr("At the %walls a number stands for the radius of %who"),
-             WallText::tr("The radius of circle %3 is %1 m in that scene, and yet it turns when "
+             WallText::tr("Here the radius of circle %3 is %1 m, and yet it turns when "
                           "its centre is "
                           "0.2 m from the wall. Take the radius that the circle has.")},
             {[](const WallHit &hit) { return 2.0 * hit.radius; },

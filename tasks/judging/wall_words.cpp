@@ -299,7 +299,7 @@ private:
             return;
         m_found.push_back(
             {Aspect::Walls,
-             WallText::tr("Circle %1 is turned round again while it leaves a wall\n\nIt was on its "
+             WallText::tr("Circle %1 was turned round again while it left a wall\n\nIt was on its "
                           "way back from the %2 and was turned into it once more. Put it back "
                           "inside, or ask which way it moves before you turn it.")
                  .arg(circle + 1)

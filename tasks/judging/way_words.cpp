@@ -98,10 +98,10 @@ private:
 
     [[nodiscard]] static QString seen(Vec2 velocity, double h, Vec2 way)
     {
-        return FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step; v Δt "
-                              "is %4 m.")
-            .arg(brief(velocity), briefTimestep(h), briefBeside(way, h * velocity),
-                 briefBeside(h * velocity, way));
+        return FlightText::
+            tr("With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.")
+                .arg(brief(velocity), briefTimestep(h), briefBeside(way, h * velocity),
+                     briefBeside(h * velocity, way));
     }
 
     /// One with which both parts of the way are right.
@@ -127,7 +127,7 @@ private:
                             briefBeside(other, b.way));
         };
         const QString seen =
-            two(FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in a step, "
+            two(FlightText::tr("With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m, "
                                "with %4 m/s %5 m; v Δt is %6 and %7 m."),
                 h * a.velocity, h * b.velocity);
         const auto tell = [&](const QString &headline, const QString &why) {
@@ -157,8 +157,8 @@ private:
             return right().after({.position = {}, .velocity = step.velocity}, h).position;
         };
         const Flight::Step &rest = flight(0).fromRest;
-        QString told = two(FlightText::tr("With the velocity %1 m/s and Δt = %2 s it goes %3 m in "
-                                          "a step, with %4 m/s %5 m; %6 and %7 m are right."),
+        QString told = two(FlightText::tr("With the velocity %1 m/s and Δt = %2 s the way of a "
+                                          "step is %3 m, with %4 m/s %5 m; %6 and %7 m are right."),
                            wanted(a), wanted(b));
         if (isAlike(rest.way, wanted(rest)))
             told += QLatin1Char(' ') + FlightText::tr("Let go at rest, it goes as it should.");
@@ -194,11 +194,11 @@ private:
             return std::nullopt;
         return said(
             FlightText::tr("The method that moves %who depends on the velocity"),
-            FlightText::tr("Besides v Δt it goes on by %1 g Δt² where its velocity is %2 "
-                           "m/s, and by %3 g Δt² where it is %4 m/s. Euler adds nothing to "
-                           "v Δt, symplectic Euler g Δt², the exact methods ½ g Δt². Look "
-                           "at what is asked before the lines that move it.")
-                .arg(brief(share(a)), brief(a.velocity), brief(share(b)), brief(b.velocity)),
+            FlightText::tr("The way of a step is %1 with the velocity %2 m/s, and %3 with %4 m/s. "
+                           "Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods "
+                           "½ g Δt². Look at what is asked before the lines that change the "
+                           "position.")
+                .arg(wayBy(share(a)), brief(a.velocity), wayBy(share(b)), brief(b.velocity)),
             true);
     }
 
@@ -232,11 +232,12 @@ private:
         }
         if (p.value == 0.0 && moves)
             return {FlightText::tr("The velocity has no part in the way of %who"),
-                    FlightText::tr("In every step its position gets v Δt added. Look at what the "
-                                   "line that changes the position takes in its place.")};
+                    FlightText::tr(
+                        "Every step must add v Δt to the position. Look at what the line that "
+                        "changes the position takes in its place.")};
         if (p.value == 0.0)
             return {FlightText::tr("A step moves %who nowhere"),
-                    FlightText::tr("In every step its position gets v Δt added.")};
+                    FlightText::tr("Every step must add v Δt to the position.")};
         if (std::abs(p.value + 1.0) < wrong)
             return {FlightText::tr("The way of %who is subtracted instead of added"),
                     FlightText::tr("Look at the sign in the line that moves it.")};
