@@ -3,6 +3,7 @@
 #include "tests/approved_text.h"
 #include "tests/class_of_many.h"
 #include "tests/reports.h"
+#include "tests/text.h"
 
 #include "tasks/authoring/mutations.h"
 #include "tasks/grading/class_results.h"
@@ -27,6 +28,7 @@ class TestApprovedPages : public QObject
 private slots:
     void classIsAsApproved();
     void largeClassesAreAsApproved();
+    void otherClassesAreAsApproved();
     void reportsOfEveryFormatAreAsApproved_data();
     void reportsOfEveryFormatAreAsApproved();
     void proofIsAsApproved();
@@ -100,6 +102,62 @@ void TestApprovedPages::largeClassesAreAsApproved()
                     QString::fromUtf8(files.value(QStringLiteral("class.html"))));
     }
     compare(QStringLiteral("large-classes.txt"), all);
+}
+
+/// Classes of which little is known, most of whom handed in a number alone: of one whose program
+/// stops and has no finding; of so many that the number of one fits into its bar, or just does not;
+/// and of as many strange numbers as are told one by one.
+void TestApprovedPages::otherClassesAreAsApproved()
+{
+    Lab lab = smallLab();
+    lab.tasks[0].title = QString(35, u'x'); // forty letters with its id
+    lab.tasks[1].title = QString(36, u'y');
+    ClassFacts facts{.late = {.percentPerDay = 0.5}, .graderFiles = false};
+    QString all;
+    for (const int count : {1, 46, 52, 200, 201}) {
+        std::vector<StudentResult> students;
+        for (int i = 0; i < count; ++i) {
+            StudentResult student{.id = QStringLiteral("s%1").arg(i, 4, 10, QLatin1Char('0')),
+                                  .name = QStringLiteral(",Ada;x,Y Z;;Cy").split(u';').value(i % 5),
+                                  .lateDays = i % 3 == 0 ? 1.5 : 0.0};
+            for (const Task &task : lab.tasks)
+                student.steps.push_back(
+                    {.taskId = task.id, .drawnBy = text("7"), .ownNumber = QString::number(i + 8)});
+            students.push_back(student);
+        }
+        students[0].steps[0] = judged(lab, 0, true, false);
+        students[0].steps[0].report->findings.clear();
+        students[0].steps[0].report->error = ProgramError{.message = text("stopped"), .line = 3};
+        if (count > 2) {
+            students[1] = mallory(lab);
+            students[2] = ada(lab);
+        }
+        const QTemporaryDir folder;
+        QVERIFY(keep(folder.path(), students, lab));
+        const auto told = [&](int done, int total) {
+            if (done % 50 == 1)
+                all += QStringLiteral("%1 of %2\n").arg(done).arg(total);
+        };
+        QVERIFY(!writeClassResults(folder.path(), lab, facts, told));
+        facts.late = {};
+        for (const char *name :
+             {"class.html", "gradebooks/canvas.csv", "gradebooks/blackboard.csv"}) {
+            QFile file(folder.filePath(text(name)));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray content = file.readAll();
+            if (count == 46 && name == QByteArray("class.html"))
+                compare(text("other-class.html"), QString::fromUtf8(content));
+            all += QStringLiteral("%1 %2 %3\n")
+                       .arg(count)
+                       .arg(text(name), QString::fromLatin1(QCryptographicHash::hash(
+                                                                content, QCryptographicHash::Sha256)
+                                                                .toHex()
+                                                                .left(32)));
+        }
+        all += QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).join(u' ')
+               + u'\n';
+    }
+    compare(text("other-classes.txt"), all);
 }
 
 void TestApprovedPages::reportsOfEveryFormatAreAsApproved_data()
