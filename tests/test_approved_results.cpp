@@ -6,6 +6,9 @@
 #include "tests/text.h"
 
 #include "tasks/grading/judging_request.h"
+#include "tasks/grading/moments.h"
+#include "tasks/grading/student_page.h"
+#include "tasks/judging/judgement.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,6 +25,8 @@ class TestApprovedResults : public QObject
 private slots:
     void changedResultsAreReadAsApproved();
     void worksAreJudgedAsApproved();
+    void momentsAreThoseOfWhatIsToldAsApproved();
+    void pageOfAStudentIsAsApproved();
 };
 
 namespace {
@@ -239,6 +244,53 @@ void TestApprovedResults::worksAreJudgedAsApproved()
     add("endless",
         {.steps = {text("BALL1")}, .files = {{text("steps/BALL1.lua"), "while true do end\n"}}});
     compare("judged.txt", all);
+}
+
+/// Of checks that failed, those that findings name come first.
+void TestApprovedResults::momentsAreThoseOfWhatIsToldAsApproved()
+{
+    const auto lab = readLab(QLatin1String(bouncingBallLab));
+    QVERIFY(lab.ok());
+    const Task &task = lab->tasks[1];
+    const QString program = lab->tasks[0].solution;
+    const auto judged = judgeTask(*lab, task, Submission(task.preset, program), 1);
+    QVERIFY(judged.has_value());
+    QString all;
+    for (const char *named :
+         {"", "any-restitution", "bounces", "falls", "nothing", "any-restitution any-restitution",
+          "stays-inside bounces", "stays-inside any-restitution bounces falls"}) {
+        for (const qint64 step : {-1, 0, 30, 100'000'000}) {
+            CheckReport report = *judged;
+            report.findings.clear();
+            for (const QString &check : text(named).split(u' '))
+                report.findings.push_back({.check = check});
+            report.checks[1].step = step;
+            all += QStringLiteral("%1; step %2:").arg(text(named)).arg(step);
+            for (const StepMoment &moment : momentsOf(report, task, &program))
+                all += QStringLiteral(" %1 at %2 s, %3 circles")
+                           .arg(moment.check)
+                           .arg(moment.scene.time)
+                           .arg(moment.scene.bodies.size());
+            all += u'\n';
+        }
+    }
+    compare("moments.txt", all);
+}
+
+void TestApprovedResults::pageOfAStudentIsAsApproved()
+{
+    const Lab lab = classes::smallLab();
+    StudentResult student = richResult(lab);
+    StepResult &step = student.steps[0];
+    step.moments.push_back(step.moments[0]);
+    step.moments.back().check = text("of no check");
+    step.moments.push_back(step.moments[0]);
+    step.moments.back().scene.time = 0.0;
+    step.report->checks[0].forTeacher = true;
+    step.report->checks[0].message = text("for the teacher");
+    student.steps[1].report->checks[0].variant = text("preset");
+    compare("page.html",
+            QString::fromUtf8(studentPage(student, lab, {.late = {.percentPerDay = 10.0}})));
 }
 
 QTEST_GUILESS_MAIN(TestApprovedResults)
