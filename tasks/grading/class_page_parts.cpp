@@ -30,7 +30,7 @@ qsizetype commonPrefix(const std::vector<ClassSummary::Step> &steps)
 {
     if (steps.size() < 2)
         return 0;
-    qsizetype length = steps.front().id.size() - 1;
+    qsizetype length = steps.front().id.size();
     for (const ClassSummary::Step &step : steps) {
         qsizetype same = 0;
         while (same < std::min(length, step.id.size() - 1)

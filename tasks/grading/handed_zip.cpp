@@ -43,10 +43,8 @@ Result<HandedZip> HandedZip::open(QByteArray bytes)
             HandedZipText::tr("there are more than %1 files in it").arg(mostHandedEntries)};
     for (zip_int64_t i = 0; i < count; ++i)
         zip.take(static_cast<zip_uint64_t>(i));
-    const auto byName = [](const Entry &a, const Entry &b) {
-        return a.name != b.name ? a.name < b.name : a.index < b.index;
-    };
-    std::sort(zip.m_entries.begin(), zip.m_entries.end(), byName);
+    std::stable_sort(zip.m_entries.begin(), zip.m_entries.end(),
+                     [](const Entry &a, const Entry &b) { return a.name < b.name; });
     const auto twice = std::unique(zip.m_entries.begin(), zip.m_entries.end(),
                                    [](const Entry &a, const Entry &b) { return a.name == b.name; });
     if (twice != zip.m_entries.end())
