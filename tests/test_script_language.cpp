@@ -17,6 +17,10 @@ private slots:
     void expressionHasItsValue();
     void wrongUseIsExplained_data();
     void wrongUseIsExplained();
+    void decimalCommaIsToldThePoint_data();
+    void decimalCommaIsToldThePoint();
+    void twoValuesAreNoDecimalComma_data();
+    void twoValuesAreNoDecimalComma();
     void changedVectorIsToldWhatToWrite_data();
     void changedVectorIsToldWhatToWrite();
     void numberThatIsNotFiniteStopsAtItsLine_data();
@@ -138,7 +142,12 @@ void TestScriptLanguage::wrongUseIsExplained_data()
     row("return vec(1, 2):dot(3)", "dot needs a vector, not the number 3");
     row("return dot(vec(1, 2))", "dot needs a vector, not nothing");
     row("circle1.position = 3", "circle1.position must be a vector, not the number 3");
-    row("circle1.velocity = nil", "circle1.velocity must be a vector, not nil");
+    row("circle1.velocity = nil",
+        "circle1.velocity must be a vector, not nil: what it is to become has no value here");
+    row("return vec(1, 2) * {}", "a vector is multiplied by a number");
+    row("return circle1.restitution",
+        "circle1 has no field `restitution`: it belongs to the whole world; write `restitution`");
+    row("return circle2.time", "write `time` alone");
     row("circle1.radius = vec(1, 2)", "circle1.radius must be a number");
     row("circle1.radius = '1'", "circle1.radius must be a number, not the text \"1\"");
     row("circle1.radius = 0", "circle1.radius would be 0; it must be finite and above 0");
@@ -148,7 +157,11 @@ void TestScriptLanguage::wrongUseIsExplained_data()
     row("circles[9].radius = 1", "is nil, so it has no fields");
     row("return circle1 + vec(1, 2)", "circle1 + the vector (1, 2) has no meaning");
     row("return circle1 + 1", "`circle1` is circle, not a number");
-    row("gravity = 9.81", "gravity must be a vector");
+    row("gravity = 9.81", "gravity must be a vector in m/s², not the number 9.81; write gravity = "
+                          "vec(0, -9.81)");
+    row("gravity = 0", "write gravity = vec(0, 0)");
+    row("gravity = -1.62", "write gravity = vec(0, -1.62)");
+    row("gravity = {0, 0}", "write gravity = vec(0, -9.81)");
     row("gravity = vec(0, 1e9)", "at most 10000");
     row("restitution = 1.5", "restitution must be a number from 0 to 1");
     row("restitution = vec(1, 2)", "restitution must be a number from 0 to 1");
@@ -172,6 +185,56 @@ void TestScriptLanguage::wrongUseIsExplained()
     VERIFY_STOPS(run, second ? 4 : 3, words);
     QVERIFY2(!run.error->message.contains(lua("table.sort:")), run.say().constData());
     QVERIFY2(!run.error->message.contains(lua("userdata")), run.say().constData());
+}
+
+void TestScriptLanguage::decimalCommaIsToldThePoint_data()
+{
+    QTest::addColumn<QString>("words");
+    const auto row = [](const char *statement, const char *words) {
+        QTest::newRow(statement) << lua(words);
+    };
+    row("restitution = 0,5", "restitution would be 0 here: the comma ends a value; a number has a "
+                             "point, 0.5");
+    row("  circle2.density=7,85;", "circle2.density would be 7 here");
+    row("local g = -9,81 -- m/s²", "a number has a point, -9.81");
+    row("--[[ e ]]\nlocal e = 0,5", "e would be 0 here");
+}
+
+void TestScriptLanguage::decimalCommaIsToldThePoint()
+{
+    QFETCH(QString, words);
+    const QString statement = QString::fromUtf8(QTest::currentDataTag());
+    const int line = 2 + static_cast<int>(statement.count(QLatin1Char('\n')));
+    const ScriptRun run = runScript(lua("local s = 'ä'\n") + statement + lua("\n"));
+    VERIFY_STOPS(run, line, words);
+    QCOMPARE(run.error->kind, ProgramError::Kind::Syntax);
+    const auto error = findSyntaxError(lua("local s = 'ä'\n") + statement);
+    QVERIFY(error);
+    QCOMPARE(error->line, line);
+}
+
+void TestScriptLanguage::twoValuesAreNoDecimalComma_data()
+{
+    QTest::addColumn<QString>("source");
+    const auto row = [](const char *name, const char *source) {
+        QTest::newRow(name) << lua(source);
+    };
+    row("counts", "for i = 1,2 do end");
+    row("two names", "local a, b = 0,5");
+    row("two names in two lines", "local a,\nb = 0,5");
+    row("arguments", "local v = vec(0,5)");
+    row("parts of a table", "local t = {\nx = 0,5\n}");
+    row("comment", "--[[\nrestitution = 0,5\n]]");
+    row("text", "local t = [[\nrestitution = 0,5\n]]");
+    row("space", "local a = 1, 2");
+}
+
+void TestScriptLanguage::twoValuesAreNoDecimalComma()
+{
+    QFETCH(QString, source);
+    const ScriptRun run = runScript(source);
+    VERIFY_RUNS(run);
+    QVERIFY(!findSyntaxError(source));
 }
 
 void TestScriptLanguage::changedVectorIsToldWhatToWrite_data()

@@ -8747,10 +8747,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>يُضبط ⁦`%1`⁩ مرة واحدة، في on_load؛ وفي on_update لا يمكن إلا قراءته</translation>
     </message>
     <message>
-        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, -9.81)</source>
-        <translation>يجب أن تكون gravity متجهًا بوحدة ⁦m/s²⁩، لا ⁨%1⁩؛ اكتب ⁦gravity = vec(0, -9.81)⁩</translation>
-    </message>
-    <message>
         <source>gravity would be %1 m/s²; at most %2 is right</source>
         <translation>ستصير gravity القيمة ⁦%1 m/s²⁩؛ الصواب ⁨%2⁩ على الأكثر</translation>
     </message>
@@ -8789,6 +8785,26 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>`%1` is not known here: it is local to another block, in line %2; a function gets what it needs as an argument, or makes it itself</source>
         <translation>⁦`%1`⁩ غير معروف هنا: هو محلي في كتلة أخرى، في السطر ⁨%2⁩؛ ما تحتاج إليه الدالة يُعطى لها وسيطًا أو تصنعه بنفسها</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`: it belongs to the whole world; write `%2` alone</source>
+        <translation>ليس لـ ⁨%1⁩ حقل `%2`: فهو للعالم كله؛ اكتب `%2` وحده</translation>
+    </message>
+    <message>
+        <source>%1 must be a vector, not nil: what it is to become has no value here</source>
+        <translation>يجب أن يكون ⁨%1⁩ متجهًا، لا nil: ما يُسنَد إليه لا قيمة له هنا</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 here: the comma ends a value; a number has a point, %2.%3</source>
+        <translation>ستكون قيمة ⁨%1⁩ هنا ⁦%2⁩: الفاصلة تُنهي القيمة؛ يُكتب العدد بنقطة، ⁦%2.%3⁩</translation>
+    </message>
+    <message>
+        <source>a vector is multiplied by a number</source>
+        <translation>يُضرب المتجه في عدد</translation>
+    </message>
+    <message>
+        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, %2)</source>
+        <translation>يجب أن تكون gravity متجهًا بوحدة ⁦m/s²⁩، لا ⁨%1⁩؛ اكتب ⁦gravity = vec(0, %2)⁩</translation>
     </message>
 </context>
 <context>

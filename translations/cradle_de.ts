@@ -8318,10 +8318,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>`%1` wird einmal gesetzt, in on_load; in on_update lässt es sich nur lesen</translation>
     </message>
     <message>
-        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, -9.81)</source>
-        <translation>gravity muss ein Vektor in m/s² sein, nicht %1; schreib gravity = vec(0, -9.81)</translation>
-    </message>
-    <message>
         <source>gravity would be %1 m/s²; at most %2 is right</source>
         <translation>gravity wäre %1 m/s²; richtig ist höchstens %2</translation>
     </message>
@@ -8721,6 +8717,26 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>`%1` is not known here: it is local to another block, in line %2; a function gets what it needs as an argument, or makes it itself</source>
         <translation>`%1` ist hier nicht bekannt: Es gilt nur in einem anderen Block, in Zeile %2; was eine Funktion braucht, bekommt sie als Argument oder macht sie selbst</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`: it belongs to the whole world; write `%2` alone</source>
+        <translation>%1 hat kein Feld `%2`: Es gehört zur ganzen Welt; schreib nur `%2`</translation>
+    </message>
+    <message>
+        <source>%1 must be a vector, not nil: what it is to become has no value here</source>
+        <translation>%1 muss ein Vektor sein, nicht nil: Was es werden soll, hat hier keinen Wert</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 here: the comma ends a value; a number has a point, %2.%3</source>
+        <translation>%1 wäre hier %2: Das Komma beendet einen Wert; eine Zahl hat einen Punkt, %2.%3</translation>
+    </message>
+    <message>
+        <source>a vector is multiplied by a number</source>
+        <translation>ein Vektor wird mit einer Zahl multipliziert</translation>
+    </message>
+    <message>
+        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, %2)</source>
+        <translation>gravity muss ein Vektor in m/s² sein, nicht %1; schreib gravity = vec(0, %2)</translation>
     </message>
 </context>
 <context>

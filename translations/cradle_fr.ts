@@ -8679,10 +8679,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>`%1` se fixe une fois, dans on_load&#xa0;; dans on_update, on peut seulement le lire</translation>
     </message>
     <message>
-        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, -9.81)</source>
-        <translation>gravity doit être un vecteur en m/s², pas %1&#xa0;; écrivez gravity = vec(0, -9.81)</translation>
-    </message>
-    <message>
         <source>gravity would be %1 m/s²; at most %2 is right</source>
         <translation>gravity vaudrait %1 m/s²&#xa0;; au plus %2 convient</translation>
     </message>
@@ -8721,6 +8717,26 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>`%1` is not known here: it is local to another block, in line %2; a function gets what it needs as an argument, or makes it itself</source>
         <translation>`%1` n&apos;est pas connu ici&#xa0;: il est local à un autre bloc, à la ligne %2&#xa0;; ce dont une fonction a besoin lui est donné en argument, ou elle le fait elle-même</translation>
+    </message>
+    <message>
+        <source>%1 has no field `%2`: it belongs to the whole world; write `%2` alone</source>
+        <translation>%1 n&apos;a pas de champ `%2`&#xa0;: cela appartient au monde entier&#xa0;; écrivez `%2` tout court</translation>
+    </message>
+    <message>
+        <source>%1 must be a vector, not nil: what it is to become has no value here</source>
+        <translation>%1 doit être un vecteur, pas nil&#xa0;: ce qu&apos;on lui donne n&apos;a pas de valeur ici</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 here: the comma ends a value; a number has a point, %2.%3</source>
+        <translation>%1 vaudrait %2 ici&#xa0;: la virgule termine une valeur&#xa0;; un nombre s&apos;écrit avec un point, %2.%3</translation>
+    </message>
+    <message>
+        <source>a vector is multiplied by a number</source>
+        <translation>un vecteur se multiplie par un nombre</translation>
+    </message>
+    <message>
+        <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, %2)</source>
+        <translation>gravity doit être un vecteur en m/s², pas %1&#xa0;; écrivez gravity = vec(0, %2)</translation>
     </message>
 </context>
 <context>

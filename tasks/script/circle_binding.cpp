@@ -79,6 +79,14 @@ const char *keyAt(lua_State *L, int index, int circle)
 /// place and its velocity that the program read or assigned last.
 enum Companion { OwnFields = 1, LastPosition, LastVelocity };
 
+/// Whether it is one of the globals that addWorld() gives, and no circle's.
+bool isOfWorld(const QString &name)
+{
+    static const QStringList names{QStringLiteral("gravity"), QStringLiteral("restitution"),
+                                   QStringLiteral("time"), QStringLiteral("step")};
+    return names.contains(name);
+}
+
 /// A field of the program's own, or an error that names the nearest.
 int pushOwnField(lua_State *L, int circle, const char *key)
 {
@@ -99,6 +107,10 @@ int pushOwnField(lua_State *L, int circle, const char *key)
         }
     }
     const QString name = QString::fromUtf8(key);
+    if (isOfWorld(name))
+        raise(L, CircleText::tr(
+                     "%1 has no field `%2`: it belongs to the whole world; write `%2` alone")
+                     .arg(nameOf(circle), name));
     const QString near = nearestName(name, known);
     if (!near.isEmpty())
         raise(L, CircleText::tr("%1 has no field `%2`: did you mean `%3`?")
@@ -155,6 +167,10 @@ QString fieldName(int circle, const char *key)
 Vec2 newVector(lua_State *L, int circle, const char *key)
 {
     const Vec2 *v = vectorAt(L, 3);
+    if (lua_isnil(L, 3))
+        raise(L, CircleText::tr("%1 must be a vector, not nil: what it is to become has no value "
+                                "here")
+                     .arg(fieldName(circle, key)));
     if (!v)
         raise(L, CircleText::tr("%1 must be a vector, not %2; write vec(x, y)")
                      .arg(fieldName(circle, key), nameValue(L, 3)));

@@ -4,6 +4,7 @@
 
 #include "tasks/script/chunk_cache.h"
 #include "tasks/script/error_message.h"
+#include "tasks/script/lua_tokens.h"
 #include "tasks/script/script_limits.h"
 #include "tasks/script/student_script.h"
 
@@ -42,6 +43,12 @@ bool mayBeLocal(const QString &source, QLatin1String name)
     return false;
 }
 
+/// The line that follows \p before, from 1.
+int lineAfter(QStringView before)
+{
+    return static_cast<int>(before.count(QLatin1Char('\n'))) + 1;
+}
+
 } // namespace
 
 int parse(lua_State *L, const QString &source, bool once)
@@ -69,6 +76,8 @@ ProgramError noMemory()
             .kind = ProgramError::Kind::Memory};
 }
 
+namespace {
+
 std::optional<ProgramError> hiddenEntry(const QString &source)
 {
     if (!mayBeLocal(source, QLatin1String("on_load"))
@@ -80,12 +89,77 @@ std::optional<ProgramError> hiddenEntry(const QString &source)
     const QRegularExpressionMatch match = local.match(source);
     if (!match.hasMatch())
         return std::nullopt;
-    const auto before = QStringView(source).left(match.capturedStart(1));
     return ProgramError{.message = SourceText::tr("`%1` is local here, so nobody can call it; "
                                                   "write function %1(…) without local")
                                        .arg(match.captured(1)),
                         .kind = ProgramError::Kind::Syntax,
-                        .line = static_cast<int>(before.count(QLatin1Char('\n'))) + 1};
+                        .line = lineAfter(QStringView(source).left(match.capturedStart(1)))};
+}
+
+/// The digits that end there.
+QStringView digitsBefore(QStringView text)
+{
+    qsizetype from = text.size();
+    while (from > 0 && text[from - 1].isDigit())
+        --from;
+    return text.sliced(from);
+}
+
+/// Whether "= 0,5" stands anywhere; as mayBeLocal(), a look before an expression.
+bool mayHaveComma(QStringView source)
+{
+    for (qsizetype at = source.indexOf(u','); at >= 0; at = source.indexOf(u',', at + 1)) {
+        if (at + 1 == source.size() || !source[at + 1].isDigit())
+            continue;
+        QStringView before = source.first(at);
+        before.chop(digitsBefore(before).size());
+        if (before.size() < at && before.endsWith(u'-'))
+            before.chop(1);
+        if (before.size() < at && before.trimmed().endsWith(u'='))
+            return true;
+    }
+    return false;
+}
+
+std::optional<ProgramError> decimalComma(const QString &source)
+{
+    if (!mayHaveComma(source))
+        return std::nullopt;
+    static const QRegularExpression assigned(
+        QStringLiteral("^[ \\t]*(?:local[ \\t]+)?([A-Za-z_][\\w.]*)[ \\t]*=[ \\t]*"
+                       "(-?\\d+),(\\d+)[ \\t]*;?[ \\t]*\\r?(?:--.*)?$"),
+        QRegularExpression::MultilineOption);
+    const QByteArray text = source.toUtf8();
+    const std::vector<LuaToken> tokens = luaTokens(text);
+    auto matches = assigned.globalMatch(source);
+    while (matches.hasNext()) {
+        const QRegularExpressionMatch match = matches.next();
+        const QStringView before = QStringView(source).left(match.capturedStart(1));
+        const qsizetype at = before.toUtf8().size();
+        const auto name = std::find_if(tokens.begin(), tokens.end(),
+                                       [at](const LuaToken &token) { return token.start == at; });
+        // Not in a comment or a text of several lines, in a table, or as the last of several names.
+        if (name == tokens.end())
+            continue;
+        if (name != tokens.begin() && QByteArrayView(",{").contains(text[(name - 1)->start]))
+            continue;
+        return ProgramError{
+            .message = SourceText::tr("%1 would be %2 here: the comma ends a value; a number has a "
+                                      "point, %2.%3")
+                           .arg(match.captured(1), match.captured(2), match.captured(3)),
+            .kind = ProgramError::Kind::Syntax,
+            .line = lineAfter(before)};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<ProgramError> meantOtherwise(const QString &source)
+{
+    if (auto error = hiddenEntry(source))
+        return error;
+    return decimalComma(source);
 }
 
 std::optional<ProgramError> findSyntaxError(const QString &source)
@@ -100,7 +174,7 @@ std::optional<ProgramError> findSyntaxError(const QString &source)
     const int status = parse(state, source);
     memory.release();
     if (status == LUA_OK)
-        return hiddenEntry(source);
+        return meantOtherwise(source);
     return errorAtTop(state, status, source);
 }
 

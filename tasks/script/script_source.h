@@ -17,7 +17,8 @@ namespace cradle {
 
 [[nodiscard]] ProgramError noMemory();
 
-/// What is wrong if \p source makes on_load or on_update local, so that nobody can call it.
-[[nodiscard]] std::optional<ProgramError> hiddenEntry(const QString &source);
+/// What is wrong with a program that Lua accepts and that cannot be meant so: on_load or on_update
+/// is local, so that nobody can call it; a number is written with a comma, restitution = 0,5.
+[[nodiscard]] std::optional<ProgramError> meantOtherwise(const QString &source);
 
 } // namespace cradle

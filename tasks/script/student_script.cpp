@@ -106,8 +106,8 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
     endCount(L);
     if (status != LUA_OK)
         return errorOf(L, status);
-    if (auto hidden = hiddenEntry(m_source))
-        return hidden;
+    if (auto error = meantOtherwise(m_source))
+        return error;
     if (m_engine->host.memory.longestText() < limits::textBytesPerInstruction
         && takesLittle(m_source, m_engine->host.circles.size()))
         leaveCountOut(L);

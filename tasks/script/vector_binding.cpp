@@ -74,10 +74,12 @@ int multiply(lua_State *L)
         pushVector(L, b.number * *a.vector);
     else if (a.isNumber && b.vector)
         pushVector(L, a.number * *b.vector);
-    else
+    else if (a.vector && b.vector)
         refuse(L, QStringLiteral("*"),
                VectorText::tr("a vector is multiplied by a number; for the dot product write "
                               "a:dot(b)"));
+    else
+        refuse(L, QStringLiteral("*"), VectorText::tr("a vector is multiplied by a number"));
     return 1;
 }
 

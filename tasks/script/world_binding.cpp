@@ -59,6 +59,15 @@ void refuseWhileRunning(lua_State *L, const char *key)
                      .arg(QLatin1String(key)));
 }
 
+/// The y part of a gravity that pulls down as strongly as the number there, if it is one.
+QString downwards(lua_State *L, int index)
+{
+    if (lua_type(L, index) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, index)))
+        return QStringLiteral("-9.81");
+    const QString size = describeValue(L, index).remove(QLatin1Char('-'));
+    return lua_tonumber(L, index) == 0.0 ? QStringLiteral("0") : QLatin1Char('-') + size;
+}
+
 void setGravity(lua_State *L)
 {
     refuseWhileRunning(L, "gravity");
@@ -66,8 +75,8 @@ void setGravity(lua_State *L)
     const Vec2 *v = vectorAt(L, 3);
     if (!v)
         raise(L, GlobalText::tr("gravity must be a vector in m/s², not %1; write gravity = "
-                                "vec(0, -9.81)")
-                     .arg(nameValue(L, 3)));
+                                "vec(0, %2)")
+                     .arg(nameValue(L, 3), downwards(L, 3)));
     if (!isFinite(*v) || length(*v) > limits::maxAcceleration)
         raise(L, GlobalText::tr("gravity would be %1 m/s²; at most %2 is right")
                      .arg(describeValue(L, 3))
