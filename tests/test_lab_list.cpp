@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using namespace cradle;
 
 class TestLabList : public QObject
@@ -20,6 +22,7 @@ private slots:
     void foldersWithALabAreListedByTitle();
     void translatedTitleIsTaken();
     void missingFolderHasNoLabs();
+    void whatCannotBeReadIsNoLab();
 
 private:
     void writeFile(const QString &name, const QByteArray &text);
@@ -114,6 +117,25 @@ void TestLabList::translatedTitleIsTaken()
 void TestLabList::missingFolderHasNoLabs()
 {
     QVERIFY(labsIn(m_folder.filePath(QStringLiteral("nowhere")), QStringLiteral("en")).empty());
+}
+
+/// A lab.json of more than 256 KiB, a pipe that nobody writes to; labs of one title keep their
+/// order.
+void TestLabList::whatCannotBeReadIsNoLab()
+{
+    const QByteArray title = labCalled("Ant");
+    constexpr qsizetype most = 256 * 1024;
+    writeFile(QStringLiteral("odd/a/lab.json"), title + QByteArray(most - title.size(), ' '));
+    writeFile(QStringLiteral("odd/b/lab.json"), title + QByteArray(most + 1 - title.size(), ' '));
+    writeFile(QStringLiteral("odd/c/lab.json"), title);
+    QVERIFY(QDir().mkpath(m_folder.filePath(QStringLiteral("odd/d"))));
+    QCOMPARE(::mkfifo(QFile::encodeName(m_folder.filePath(QStringLiteral("odd/d/lab.json"))), 0600),
+             0);
+    const QString parent = m_folder.filePath(QStringLiteral("odd"));
+    const auto labs = labsIn(parent, QStringLiteral("en"));
+    QCOMPARE(labs.size(), std::size_t(2));
+    QCOMPARE(labs[0].folder, parent + QStringLiteral("/a"));
+    QCOMPARE(labs[1].folder, parent + QStringLiteral("/c"));
 }
 
 QTEST_GUILESS_MAIN(TestLabList)
