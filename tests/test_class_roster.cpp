@@ -21,6 +21,7 @@ private slots:
     void brokenRosterIsRefused();
     void tableCellsMayBeQuoted();
     void lateDaysAreNumbers();
+    void olderSpreadsheetsAreRead();
     void idsArePlainAndTellNamesApart_data();
     void idsArePlainAndTellNamesApart();
 };
@@ -124,6 +125,23 @@ void TestClassRoster::lateDaysAreNumbers()
         const auto roster = rosterFrom(text("id,late days\nada,%1\n").arg(text(written)), {});
         QVERIFY2(roster.ok(), written);
         QCOMPARE(roster->front().lateDays, days);
+    }
+}
+
+/// In UTF-8 with a mark or without, or in Latin-1, also where its last byte alone tells.
+void TestClassRoster::olderSpreadsheetsAreRead()
+{
+    const QTemporaryDir folder;
+    for (const QByteArray &bytes :
+         {QByteArray("id,name\nada,Jos\xc3\xa9"),
+          QByteArray("\xef\xbb\xbfid,name\nada,Jos\xc3\xa9"), QByteArray("id,name\nada,Jos\xe9\n"),
+          QByteArray("id,name\nada,Jos\xe9")}) {
+        QFile file(folder.filePath(text("roster.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        const auto roster = readRoster(file.fileName());
+        QVERIFY(roster.ok());
+        QCOMPARE(roster->at(0).name, text("José"));
     }
 }
 

@@ -149,6 +149,7 @@ void TestLabArchive::hostileArchivesAreRefused_data()
         named("S1/gr\xf6\xdf"
               "e.md"),
         "UTF-8");
+    row("name that ends in a letter of Latin-1", named("S1/caf\xe9"), "UTF-8");
     row("the same name twice", named("S1/task.json"), "already exists");
     row("capital letters alone", named("s1/TASK.json"), "twice");
     row("file and folder of one name", named("S1"), "twice");

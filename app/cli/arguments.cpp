@@ -17,7 +17,7 @@ struct ArgumentsText {
 
 std::optional<QString> asText(const QByteArray &bytes)
 {
-    QStringDecoder decode(QStringDecoder::Utf8);
+    QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     QString text = decode(bytes);
     return decode.hasError() ? std::nullopt : std::optional(std::move(text));
 }

@@ -113,7 +113,7 @@ Result<std::vector<RosterRow>> readRoster(const QString &path)
     const auto bytes = readFile(path, mostRosterBytes);
     if (!bytes)
         return bytes.error();
-    QStringDecoder decode(QStringDecoder::Utf8);
+    QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     QString text = decode(*bytes);
     if (decode.hasError()) // as older spreadsheets save it
         text = QString::fromLatin1(*bytes);

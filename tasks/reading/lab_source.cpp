@@ -86,7 +86,7 @@ QString LabSource::readText(const QString &path, qint64 maxBytes,
         findings.push_back(text.error());
         return {};
     }
-    QStringDecoder decode(QStringDecoder::Utf8);
+    QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     QString decoded = decode(*text);
     if (decode.hasError())
         findings.push_back({.message = SourceText::tr("the text is not in UTF-8, which would "

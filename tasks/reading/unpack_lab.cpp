@@ -69,7 +69,7 @@ private:
         const char *raw = zip_get_name(m_archive, index, ZIP_FL_ENC_RAW);
         if (!raw || zip_stat_index(m_archive, index, 0, &stat) != 0)
             return fault({}, brokenText());
-        QStringDecoder decode(QStringDecoder::Utf8);
+        QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
         QString path = decode(QByteArrayView(raw));
         if (decode.hasError())
             return fault(path, UnpackText::tr("the name is not in UTF-8, which would be right"));
