@@ -205,6 +205,8 @@ void TestConditions::conditionIsNamed_data()
          " s of a run, none from ", {.move = "time < 3"});
     rows("fall from", {"L42T7", "L42T17"}, "At times gravity acts wrongly on both circles",
          " s of a run on, none up to ", {.move = "time > 1"});
+    rows("stop from", {"L42T12", "L42T16"}, "At times the velocity of both circles changes wrongly",
+         " s of a run, none from ", {.move = "time > 3 then c.velocity = vec(0, 0) end if true"});
     rows("way to the left", {"L42T3", "L42T7", "L42T17"}, "At times the way of ",
          ": all at x = ", {.go = "c.position.x < 0.2"});
     rows("way until", {"L42T7", "L42T12"}, "At times the way of both circles in a step is not v Δt",

@@ -101,7 +101,8 @@ void TestFlightLaw::faultIsNamed_data()
         text("The velocity of both circles gets only half of gravity"));
     row("L42T4", "fall upward", way, "-1 * gravity * h",
         text("The acceleration of both circles is opposite to gravity"));
-    row("L42T4", "no fall", way, "vec(0, 0)", text("Gravity leaves both circles alone"));
+    row("L42T4", "no fall", way, "vec(0, 0)",
+        text("In free flight gravity leaves both circles alone"));
     row("L42T4", "fall sideways", way, "vec(gravity.y, 0) * h",
         text("Gravity pulls both circles in a wrong direction"));
     row("L42T4", "gravity on the place", "c.velocity * h + gravity * h", "vec(0, 0)",
@@ -109,7 +110,17 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "other air", way, "gravity * h - 0.2 * c.velocity * h",
         text("Something slows both circles down on the way"));
     row("L42T4", "one does not fall", way, "(c.index == 2 and vec(0, 0) or gravity * h)",
-        text("Gravity leaves circle 2 alone"));
+        text("In free flight gravity leaves circle 2 alone"));
+    row("L42T4", "half a step of one", "(c.index == 2 and 0.5 or 1) * c.velocity * h",
+        "(c.index == 2 and 0.5 or 1) * gravity * h",
+        text("The whole step of circle 2 is made as with 0.5 Δt"));
+    row("L42T7", "two steps at once", "2 * c.velocity * h + 3 * gravity * h * h", "2 * gravity * h",
+        text("The whole step of both circles is made as with 2 Δt"));
+    row("L42T7", "no step of one", "(c.index == 2 and 0 or 1) * c.velocity * h",
+        "(c.index == 2 and 0 or 1) * gravity * h",
+        text("In free flight a step leaves circle 2 as it was"));
+    row("L42T4", "a number for the timestep", "c.velocity / 60", "gravity / 60",
+        text("A fixed number stands for the timestep of both circles"));
     row("L42T4", "parabola", "c.velocity * h + gravity * (h * h / 2)", fall,
         text("The motion of both circles is the exact parabola, not Euler"));
     row("L42T4", "place times time, too", "c.position * (h - 1) + c.velocity * h", fall,

@@ -50,9 +50,11 @@ void TestToldCarried::velocityThatIsSetIsTold_data()
                                 << "The velocity of both circles is set anew in every step"
                                 << Vec2{1.5, -2.0};
     QTest::newRow("to rest") << "vec(0, 0)"
-                             << "The velocity of both circles is taken away at once, far from "
-                                "everything"
+                             << "Away from everything a step took the velocity of both circles"
                              << Vec2{kept, kept};
+    QTest::newRow("to rest under gravity")
+        << "gravity:length() > 0 and vec(0, 0) or c.velocity"
+        << "Under gravity a step took the velocity of both circles away" << Vec2{kept, kept};
     QTest::newRow("x") << "vec(2, c.velocity.y + gravity.y * h)"
                        << "The x of the velocity of both circles is set anew in every step"
                        << Vec2{2.0, kept};
@@ -73,8 +75,14 @@ void TestToldCarried::velocityThatIsSetIsTold()
         headline.toUtf8().constData());
     auto n = numbersIn(said, "Started with (#, #) m/s, it has (#, #) m/s one step later");
     if (std::isnan(made.x) && std::isnan(made.y)) {
-        n = numbersIn(said, "Started with (#, #) m/s, away from every wall and every other "
-                            "circle, it rests one step later.");
+        const bool isOfGravity = headline.startsWith(QLatin1String("Under"));
+        n = numbersIn(
+            said,
+            isOfGravity
+                ? "Started with (#, #) m/s under gravity (0, -9.81) m/s², away from every wall and "
+                  "every other circle, it rests one step later; without gravity it goes on."
+                : "Started with (#, #) m/s, away from every wall and every other "
+                  "circle, it rests one step later.");
         QVERIFY2(n.size() == 2, qPrintable(said));
         return;
     }

@@ -29,6 +29,7 @@ private slots:
     void startOfTheRunIsTold();
     void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
+    void whoMovesWithAHitAloneIsTold();
     void slowHitsAreTold();
     void slowAnswerIsTold();
 
@@ -307,6 +308,21 @@ void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
 }
 
 /// Slower than half of the distance from the middle they go on.
+/// A step ends with circle 1, but where a wall turns that.
+void TestToldWalls::whoMovesWithAHitAloneIsTold()
+{
+    const auto n = numbersIn(
+        bodyOfWalls(QStringLiteral("local came = c.velocity ") + wallsOf(wallWays[0])
+                        + QStringLiteral(" if c == circle1 and c.velocity == came then return end"),
+                    QStringLiteral("Circle 2 moved only in a step in which a wall was hit"),
+                    "L42T7"),
+        "In the step in which circle # was answered by the * the other circle went (#, #) m; in no "
+        "step before did it move.");
+    QCOMPARE(n.size(), std::size_t{3});
+    QCOMPARE(n[0], 1.0);
+    QVERIFY(n[1] != 0.0);
+}
+
 void TestToldWalls::slowHitsAreTold()
 {
     QString walls = wallsOf(wallWays[1], "c.radius", "restitution");

@@ -2895,14 +2895,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>اقتربتا بسرعة ⁦%1 m/s⁩ وتداخلتا؛ وبسرعة ⁦%2 m/s⁩ تلقيان استجابة. لا تهمّ سرعة مجيئهما: المهم هل تتداخلان وتتقاربان.</translation>
     </message>
     <message>
-        <source>The velocity of %who is taken away at once, far from everything</source>
-        <translation>تُسلب فورًا سرعة %who، بعيدًا عن كل شيء</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
-        <translation>من بداية بسرعة ⁦%1 m/s⁩، بعيدًا عن كل جدار وكل دائرة أخرى، تسكن الدائرة بعد خطوة واحدة. انظر إلى الأسطر التي توقف دائرة، وإلى ما يُسأل قبلها: هل يصحّ مع أن لا شيء يتلامس؟</translation>
-    </message>
-    <message>
         <source>In the rebound each circle has the mass of the other</source>
         <translation>في الارتداد لكل دائرة كتلة الأخرى</translation>
     </message>
@@ -3763,10 +3755,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>عند كل خطوة زمنية جُرّبت تؤثر الجاذبية مدة ⁦%1 s⁩. خذ معامل `on_update`.</translation>
     </message>
     <message>
-        <source>Gravity leaves %who alone</source>
-        <translation>لا أثر للجاذبية (%who)</translation>
-    </message>
-    <message>
         <source>At times gravity acts wrongly on %who</source>
         <translation>أحيانًا تؤثر الجاذبية في %who تأثيرًا خاطئًا</translation>
     </message>
@@ -4039,10 +4027,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>The velocity has no part in the way of %who</source>
         <translation>لا دخل للسرعة في مسار %who</translation>
-    </message>
-    <message>
-        <source>A step moves %who nowhere</source>
-        <translation>لا تتحرك %who في الخطوة</translation>
     </message>
     <message>
         <source>Along the normal only circle 1 feels e</source>
@@ -4617,6 +4601,66 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Every step must add v Δt to the position.</source>
         <translation>يجب أن تضيف كل خطوة ⁦v Δt⁩ إلى الموضع.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, it rests one step later; without gravity it goes on.</source>
+        <translation>بدأت بسرعة ⁦%1 m/s⁩ تحت الجاذبية ⁦%2 m/s²⁩ بعيدًا عن كل جدار وكل دائرة أخرى، فسكنت بعد خطوة واحدة؛ ومن دون جاذبية تواصل الحركة.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later.</source>
+        <translation>بدأت بسرعة ⁦%1 m/s⁩ بعيدًا عن كل جدار وكل دائرة أخرى، فسكنت بعد خطوة واحدة.</translation>
+    </message>
+    <message>
+        <source>Under gravity a step took the velocity of %who away</source>
+        <translation>تحت الجاذبية أزالت خطوة سرعة %who</translation>
+    </message>
+    <message>
+        <source>Away from everything a step took the velocity of %who</source>
+        <translation>بعيدًا عن كل شيء أزالت خطوة سرعة %who</translation>
+    </message>
+    <message>
+        <source>Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
+        <translation>انظر إلى الأسطر التي توقف دائرة وإلى ما يُسأل قبلها: هل يتحقق مع أن لا شيء يتلامس؟</translation>
+    </message>
+    <message>
+        <source>In free flight gravity leaves %who alone</source>
+        <translation>في الطيران الحر لا تؤثر الجاذبية في %who</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep of %who</source>
+        <translation>يحلّ عدد ثابت محلّ الخطوة الزمنية، في %who</translation>
+    </message>
+    <message>
+        <source>At every timestep tried the whole step is made as if Δt were %1 s. Take the parameter of `on_update`.</source>
+        <translation>مع كل خطوة زمنية مجرّبة تُنفَّذ الخطوة كلها كأن ⁦Δt = %1 s⁩. خذ معامل `on_update`.</translation>
+    </message>
+    <message>
+        <source>In free flight a step leaves %who as it was</source>
+        <translation>في الطيران الحر لا تغيّر الخطوة شيئًا في %who</translation>
+    </message>
+    <message>
+        <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>
+        <translation>والموضع أيضًا لا يتغيّر. انظر هل يُبلَغ في كل خطوة إلى الأسطر التي تحرّك دائرة، ولأيّ دائرة.</translation>
+    </message>
+    <message>
+        <source>The whole step of %who is made as with %1 Δt</source>
+        <translation>تُنفَّذ الخطوة كلها كما مع ⁦%1 Δt⁩، في %who</translation>
+    </message>
+    <message>
+        <source>The way is %1 times v Δt, too: look at which Δt the lines of a step take, and at how often they run.</source>
+        <translation>والمسافة أيضًا ⁨%1⁩ أضعاف ⁦v Δt⁩: انظر أيّ ⁦Δt⁩ تأخذه أسطر الخطوة، وكم مرة تُنفَّذ.</translation>
+    </message>
+    <message>
+        <source>Circle %1 moved only in a step in which a wall was hit</source>
+        <translation>لم تتحرك الدائرة ⁨%1⁩ إلا في خطوة فيها تصادم بجدار</translation>
+    </message>
+    <message>
+        <source>In the step in which circle %1 was answered by the %2 the other circle went %3 m; in no step before did it move. Look at what lets a step end before its turn, as `return` and `break` do, and at what is asked before it moves.</source>
+        <translation>في الخطوة التي استجيب فيها للدائرة ⁨%1⁩ (⁨%2⁩) تقدمت الدائرة الأخرى ⁦%3 m⁩؛ ولم تتحرك في أي خطوة قبلها. انظر ما الذي ينهي الخطوة قبل دورها، كما يفعل `return` و`break`، وما الذي يُسأل قبل أن تتحرك.</translation>
+    </message>
+    <message>
+        <source>In free flight a step moves %who nowhere</source>
+        <translation>في الطيران الحر لا تنقل الخطوة %who</translation>
     </message>
 </context>
 <context>

@@ -2871,14 +2871,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Sie näherten sich mit %1 m/s und liefen ineinander; mit %2 m/s antworten sie. Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
     </message>
     <message>
-        <source>The velocity of %who is taken away at once, far from everything</source>
-        <translation>Fern von allem wird für %who sofort die Geschwindigkeit weggenommen</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
-        <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später. Sieh dir die Zeilen an, die einen Kreis anhalten, und was davor gefragt wird: Ist es wahr, obwohl sich nichts berührt?</translation>
-    </message>
-    <message>
         <source>In the rebound each circle has the mass of the other</source>
         <translation>Beim Rückprall hat jeder Kreis die Masse des anderen</translation>
     </message>
@@ -3727,10 +3719,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Bei jedem versuchten Zeitschritt wirkt die Schwerkraft %1 s lang. Nimm den Parameter von `on_update`.</translation>
     </message>
     <message>
-        <source>Gravity leaves %who alone</source>
-        <translation>Die Schwerkraft wirkt nicht (%who)</translation>
-    </message>
-    <message>
         <source>At times gravity acts wrongly on %who</source>
         <translation>Manchmal wirkt die Schwerkraft falsch auf %who</translation>
     </message>
@@ -3995,10 +3983,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>The velocity has no part in the way of %who</source>
         <translation>Die Geschwindigkeit hat am Weg keinen Anteil (%who)</translation>
-    </message>
-    <message>
-        <source>A step moves %who nowhere</source>
-        <translation>Ein Schritt bewegt nichts vom Fleck (%who)</translation>
     </message>
     <message>
         <source>Along the normal only circle 1 feels e</source>
@@ -4565,6 +4549,66 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Every step must add v Δt to the position.</source>
         <translation>Jeder Schritt muss zum Ort v Δt hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, it rests one step later; without gravity it goes on.</source>
+        <translation>Mit %1 m/s unter der Schwerkraft %2 m/s² gestartet, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später; ohne Schwerkraft bewegt er sich weiter.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later.</source>
+        <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später.</translation>
+    </message>
+    <message>
+        <source>Under gravity a step took the velocity of %who away</source>
+        <translation>Unter Schwerkraft nahm ein Schritt die Geschwindigkeit weg (%who)</translation>
+    </message>
+    <message>
+        <source>Away from everything a step took the velocity of %who</source>
+        <translation>Fern von allem nahm ein Schritt die Geschwindigkeit weg (%who)</translation>
+    </message>
+    <message>
+        <source>Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
+        <translation>Sieh dir die Zeilen an, die einen Kreis anhalten, und was davor gefragt wird: Trifft es zu, obwohl sich nichts berührt?</translation>
+    </message>
+    <message>
+        <source>In free flight gravity leaves %who alone</source>
+        <translation>Im freien Flug wirkt die Schwerkraft nicht auf %who</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep of %who</source>
+        <translation>Eine feste Zahl steht für den Zeitschritt, für %who</translation>
+    </message>
+    <message>
+        <source>At every timestep tried the whole step is made as if Δt were %1 s. Take the parameter of `on_update`.</source>
+        <translation>Bei jedem versuchten Zeitschritt geht der ganze Schritt so, als wäre Δt %1 s. Nimm den Parameter von `on_update`.</translation>
+    </message>
+    <message>
+        <source>In free flight a step leaves %who as it was</source>
+        <translation>Im freien Flug ändert ein Schritt nichts, für %who</translation>
+    </message>
+    <message>
+        <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>
+        <translation>Auch der Ort ändert sich nicht. Sieh nach, ob die Zeilen, die einen Kreis bewegen, in jedem Schritt erreicht werden, und für welchen Kreis.</translation>
+    </message>
+    <message>
+        <source>The whole step of %who is made as with %1 Δt</source>
+        <translation>Der ganze Schritt geht wie mit %1 Δt, für %who</translation>
+    </message>
+    <message>
+        <source>The way is %1 times v Δt, too: look at which Δt the lines of a step take, and at how often they run.</source>
+        <translation>Auch der Weg ist das %1-Fache von v Δt: Sieh nach, welches Δt die Zeilen eines Schritts nehmen und wie oft sie laufen.</translation>
+    </message>
+    <message>
+        <source>Circle %1 moved only in a step in which a wall was hit</source>
+        <translation>Kreis %1 bewegte sich nur in einem Schritt mit Wandstoß</translation>
+    </message>
+    <message>
+        <source>In the step in which circle %1 was answered by the %2 the other circle went %3 m; in no step before did it move. Look at what lets a step end before its turn, as `return` and `break` do, and at what is asked before it moves.</source>
+        <translation>In dem Schritt, in dem auf Kreis %1 geantwortet wurde (%2), kam der andere Kreis %3 m weit; in keinem Schritt davor bewegte er sich. Sieh nach, was einen Schritt enden lässt, bevor er an der Reihe ist, wie es `return` und `break` tun, und was gefragt wird, bevor er sich bewegt.</translation>
+    </message>
+    <message>
+        <source>In free flight a step moves %who nowhere</source>
+        <translation>Im freien Flug bewegt ein Schritt nichts vom Fleck (%who)</translation>
     </message>
 </context>
 <context>

@@ -2871,14 +2871,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Ils se sont rapprochés à %1 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %2 m/s il y a une réaction. Peu importe à quelle vitesse ils viennent&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
     </message>
     <message>
-        <source>The velocity of %who is taken away at once, far from everything</source>
-        <translation>La vitesse est supprimée aussitôt, loin de tout, pour %who</translation>
-    </message>
-    <message>
-        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later. Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
-        <translation>Parti à %1 m/s, loin de toute paroi et de tout autre cercle, il est au repos un pas plus tard. Regardez les lignes qui arrêtent un cercle, et ce qui est demandé avant elles&#xa0;: est-ce vrai bien que rien ne se touche&#xa0;?</translation>
-    </message>
-    <message>
         <source>In the rebound each circle has the mass of the other</source>
         <translation>Dans le rebond, chaque cercle a la masse de l&apos;autre</translation>
     </message>
@@ -3727,10 +3719,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>À chaque pas de temps essayé, la pesanteur agit pendant %1 s. Prenez le paramètre de `on_update`.</translation>
     </message>
     <message>
-        <source>Gravity leaves %who alone</source>
-        <translation>La pesanteur n&apos;agit pas (%who)</translation>
-    </message>
-    <message>
         <source>At times gravity acts wrongly on %who</source>
         <translation>Parfois la pesanteur agit mal (%who)</translation>
     </message>
@@ -3995,10 +3983,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>The velocity has no part in the way of %who</source>
         <translation>La vitesse n&apos;entre pas dans le chemin (%who)</translation>
-    </message>
-    <message>
-        <source>A step moves %who nowhere</source>
-        <translation>Un pas ne déplace rien (%who)</translation>
     </message>
     <message>
         <source>Along the normal only circle 1 feels e</source>
@@ -4565,6 +4549,66 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Every step must add v Δt to the position.</source>
         <translation>Chaque pas doit ajouter v Δt à la position.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, it rests one step later; without gravity it goes on.</source>
+        <translation>Parti avec %1 m/s sous la pesanteur %2 m/s², loin de toute paroi et de tout autre cercle, il est au repos un pas plus tard&#xa0;; sans pesanteur, il continue.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later.</source>
+        <translation>Parti avec %1 m/s, loin de toute paroi et de tout autre cercle, il est au repos un pas plus tard.</translation>
+    </message>
+    <message>
+        <source>Under gravity a step took the velocity of %who away</source>
+        <translation>Sous la pesanteur, un pas a supprimé la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Away from everything a step took the velocity of %who</source>
+        <translation>Loin de tout, un pas a supprimé la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
+        <translation>Regardez les lignes qui arrêtent un cercle, et ce qui est demandé avant&#xa0;: est-ce vrai alors que rien ne se touche&#xa0;?</translation>
+    </message>
+    <message>
+        <source>In free flight gravity leaves %who alone</source>
+        <translation>En vol libre, la pesanteur n&apos;agit pas, pour %who</translation>
+    </message>
+    <message>
+        <source>A fixed number stands for the timestep of %who</source>
+        <translation>Un nombre fixe remplace le pas de temps, pour %who</translation>
+    </message>
+    <message>
+        <source>At every timestep tried the whole step is made as if Δt were %1 s. Take the parameter of `on_update`.</source>
+        <translation>Avec chaque pas de temps essayé, le pas entier se fait comme si Δt valait %1 s. Prenez le paramètre de `on_update`.</translation>
+    </message>
+    <message>
+        <source>In free flight a step leaves %who as it was</source>
+        <translation>En vol libre, un pas ne change rien, pour %who</translation>
+    </message>
+    <message>
+        <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>
+        <translation>La position ne change pas non plus. Regardez si les lignes qui déplacent un cercle sont atteintes à chaque pas, et pour quel cercle.</translation>
+    </message>
+    <message>
+        <source>The whole step of %who is made as with %1 Δt</source>
+        <translation>Le pas entier se fait comme avec %1 Δt, pour %who</translation>
+    </message>
+    <message>
+        <source>The way is %1 times v Δt, too: look at which Δt the lines of a step take, and at how often they run.</source>
+        <translation>Le chemin, lui aussi, vaut %1 fois v Δt&#xa0;: regardez quel Δt prennent les lignes d&apos;un pas, et combien de fois elles s&apos;exécutent.</translation>
+    </message>
+    <message>
+        <source>Circle %1 moved only in a step in which a wall was hit</source>
+        <translation>Le cercle %1 n&apos;a bougé que dans un pas avec choc à une paroi</translation>
+    </message>
+    <message>
+        <source>In the step in which circle %1 was answered by the %2 the other circle went %3 m; in no step before did it move. Look at what lets a step end before its turn, as `return` and `break` do, and at what is asked before it moves.</source>
+        <translation>Dans le pas où le cercle %1 a reçu une réponse (%2), l&apos;autre cercle a avancé de %3 m&#xa0;; dans aucun pas précédent il n&apos;a bougé. Regardez ce qui fait finir un pas avant son tour, comme le font `return` et `break`, et ce qui est demandé avant qu&apos;il bouge.</translation>
+    </message>
+    <message>
+        <source>In free flight a step moves %who nowhere</source>
+        <translation>En vol libre, un pas ne déplace rien, pour %who</translation>
     </message>
 </context>
 <context>

@@ -46,15 +46,8 @@ public:
                                        "lines that change the velocity.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
-        if (f.resets && f.turnedInto == Vec2{} && !m_right.at(gravity(), timestep(), m_i).resets)
-            return said(
-                FlightText::tr("The velocity of %who is taken away at once, far from everything"),
-                FlightText::tr("Started with %1 m/s, away from every wall and every other "
-                               "circle, it rests one step later. Look at the lines that "
-                               "stop a circle, and at what is asked before they run: is it "
-                               "true although nothing touches?")
-                    .arg(brief(f.startedWith)),
-                false);
+        if (isStopped())
+            return stopped();
         if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
             return said(FlightText::tr("The velocity of %who is set anew in every step"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "
@@ -115,6 +108,34 @@ public:
                             .arg(brief(f.carried), briefTimestep(timestep())),
                         true);
         return std::nullopt;
+    }
+
+    /// Whether a step takes its velocity away, from every start tried.
+    [[nodiscard]] bool isStopped() const
+    {
+        return flight(0).resets && flight(0).turnedInto == Vec2{} && !right().resets;
+    }
+
+    [[nodiscard]] FlightSaid stopped() const
+    {
+        const bool isOfGravity = gravity() != Vec2{} && !m_own.at({}, timestep(), m_i).resets;
+        const QString seen =
+            isOfGravity
+                ? FlightText::tr(
+                      "Started with %1 m/s under gravity %2 m/s², away from every wall and every "
+                      "other circle, it rests one step later; without gravity it goes on.")
+                      .arg(brief(flight(0).startedWith), brief(gravity()))
+                : FlightText::tr("Started with %1 m/s, away from every wall and every other "
+                                 "circle, it rests one step later.")
+                      .arg(brief(flight(0).startedWith));
+        return said(isOfGravity
+                        ? FlightText::tr("Under gravity a step took the velocity of %who away")
+                        : FlightText::tr("Away from everything a step took the velocity of %who"),
+                    seen + QLatin1Char(' ')
+                        + FlightText::tr("Look at the lines that stop a circle, and at what is "
+                                         "asked before they run: is it true although nothing "
+                                         "touches?"),
+                    false);
     }
 };
 

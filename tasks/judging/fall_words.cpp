@@ -192,7 +192,7 @@ private:
             break;
         }
         if (std::abs(p.value) < wrong)
-            return {FlightText::tr("Gravity leaves %who alone"),
+            return {FlightText::tr("In free flight gravity leaves %who alone"),
                     FlightText::tr("In every step gravity must change its velocity: look for the "
                                    "line that does it, and at what is asked before it.")};
         if (std::abs(p.value + 1.0) < wrong)

@@ -78,17 +78,21 @@ bool look(LongRun &run, const Ground &ground, Preset scene, int count, bool hasH
         if (k > 0)
             run.wait(between);
         run.set(scene);
+        const std::vector<Circle> start = run.probe().world().circles;
         // What a program keeps from one step to the next has settled in the second.
         if (!run.probe().step())
             return false;
         const std::vector<Circle> before = run.probe().world().circles;
         if (!run.probe().step() || !run.runs())
             return false;
-        for (std::size_t i = 0; i < ground.flights.size(); ++i)
+        for (std::size_t i = 0; i < ground.flights.size(); ++i) {
+            // Who is stopped in the first rests rightly in the second.
+            const bool isStopped = before[i].velocity == Vec2{};
             all.push_back({static_cast<int>(i),
-                           before[i],
-                           run.probe().circle(static_cast<int>(i)),
+                           isStopped ? start[i] : before[i],
+                           isStopped ? before[i] : run.probe().circle(static_cast<int>(i)),
                            {.time = run.time(), .place = before[i].position, .hasHit = hasHit}});
+        }
     }
     return true;
 }

@@ -143,6 +143,9 @@ protected:
 /// Whether it moves otherwise while the others are elsewhere.
 [[nodiscard]] std::optional<FlightSaid> othersSaid(const FlightComparison &comparison);
 
+/// Whether a step is made with another timestep, or not at all.
+[[nodiscard]] std::optional<FlightSaid> stepSaid(const FlightComparison &comparison);
+
 /// What is wrong with the way of a circle in a step; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
 

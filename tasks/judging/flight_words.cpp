@@ -46,8 +46,10 @@ private:
             return {*fault};
         if (auto fault = leap(); fault && flight(0).leap->speed == Flight::Speed::Any)
             return {*fault};
-        if (auto fault = placeSaid(*this))
-            return {*fault};
+        for (const auto law : {placeSaid, stepSaid}) {
+            if (auto fault = law(*this))
+                return {*fault};
+        }
         for (const auto law : {carriedSaid, waySaid}) {
             if (auto fault = law(*this))
                 said.push_back(*fault);

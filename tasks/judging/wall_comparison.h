@@ -94,6 +94,10 @@ protected:
 [[nodiscard]] std::optional<LawDeviation> slowEarlyDeviation(const WallComparison &walls);
 /// What walls make of a slow circle that they do not make of a fast one.
 [[nodiscard]] std::optional<LawDeviation> slowAnswerDeviation(const WallComparison &walls);
+/// A hit that changes the velocity of another circle, too, of which nothing else is told.
+[[nodiscard]] std::optional<LawDeviation> kickedDeviation(const WallComparison &walls);
+/// A hit in whose step another circle does not go on as it does without one.
+[[nodiscard]] std::optional<LawDeviation> disturbedDeviation(const WallComparison &walls);
 /// What walls make of a velocity that they should not.
 [[nodiscard]] std::vector<LawDeviation> answerDeviations(const WallComparison &walls);
 

@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> judge()
     {
-        findKicked();
+        take(kickedDeviation(*this));
         take(missingDeviations(*this));
         findReach();
         findRestarted();
@@ -30,7 +30,7 @@ public:
                 findLifted();
         }
         take(answerDeviations(*this));
-        findDisturbed();
+        take(disturbedDeviation(*this));
         findCorners();
         findNoWayBack();
         if (m_found.empty())
@@ -147,22 +147,6 @@ private:
             hit, whose, Suspect::Answer, true);
     }
 
-    /// A hit that changes the velocity of another circle, too, of which nothing else is told.
-    void findKicked()
-    {
-        const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(),
-                                     [](const WallHit &hit) { return hit.kicks && hit.missed; });
-        if (at == m_own.hits.end())
-            return;
-        add(WallText::tr("Beside a wall the velocity of both circles changes at once"),
-            WallText::tr("When circle %1 was %2 m from the %3 its velocity changed, and in the "
-                         "same step that of the other, far from it and from every wall. A wall "
-                         "turns the circle that touches it, and no other.")
-                .arg(QString::number(at->circle + 1), brief(at->before),
-                     motion::wallName(at->wall)),
-            *at, {{at->circle}, {at->wall}}, Suspect::Question);
-    }
-
     /// Put further in than any way back puts it.
     void findLifted()
     {
@@ -183,28 +167,6 @@ private:
                      brief(hit.radius))
                 .arg(hit.circle + 1),
             hit, whose, Suspect::Answer, true);
-    }
-
-    void findDisturbed()
-    {
-        // What changes in the first step of a throw is no answer of a wall.
-        const auto disturbs = [](const WallHit &hit) {
-            return hit.disturbs && !hit.missed && (hit.step > 1 || hit.fits(hit.radius));
-        };
-        const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), disturbs);
-        const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
-        if (at == m_own.hits.end() || std::any_of(m_own.hits.begin(), m_own.hits.end(), leaps)
-            || std::any_of(m_right.hits.begin(), m_right.hits.end(), disturbs))
-            return;
-        add(WallText::tr("A hit of one circle at a wall also changes the way of the other"),
-            WallText::tr("In the step in which circle %1 was answered by the %2, the other circle, "
-                         "far from every wall, did not go on freely: its place is %3 m and its "
-                         "velocity %4 m/s off. A wall acts on the circle that touches it, and on "
-                         "no other.")
-                .arg(QString::number(at->circle + 1), motion::wallName(at->wall),
-                     brief(at->otherWas.position - at->otherFree.position),
-                     brief(at->otherWas.velocity - at->otherFree.velocity)),
-            *at, {{at->circle}, {at->wall}}, Suspect::Answer, true);
     }
 
     void findCorners()

@@ -236,7 +236,7 @@ private:
                         "Every step must add v Δt to the position. Look at what the line that "
                         "changes the position takes in its place.")};
         if (p.value == 0.0)
-            return {FlightText::tr("A step moves %who nowhere"),
+            return {FlightText::tr("In free flight a step moves %who nowhere"),
                     FlightText::tr("Every step must add v Δt to the position.")};
         if (std::abs(p.value + 1.0) < wrong)
             return {FlightText::tr("The way of %who is subtracted instead of added"),

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_comparison.h"
+
+#include "tasks/checks/figures.h"
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// Judges what becomes of the other circle in the step in which a wall answers one.
+class OtherJudge : WallComparison
+{
+public:
+    explicit OtherJudge(const WallComparison &walls)
+        : WallComparison(walls)
+    {
+    }
+
+    /// A hit that changes the velocity of another circle, too, of which nothing else is told.
+    [[nodiscard]] std::optional<LawDeviation> kicked() const
+    {
+        const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(),
+                                     [](const WallHit &hit) { return hit.kicks && hit.missed; });
+        if (at == m_own.hits.end())
+            return std::nullopt;
+        return deviation(
+            WallText::tr("Beside a wall the velocity of both circles changes at once"),
+            WallText::tr("When circle %1 was %2 m from the %3 its velocity changed, and in the "
+                         "same step that of the other, far from it and from every wall. A wall "
+                         "turns the circle that touches it, and no other.")
+                .arg(QString::number(at->circle + 1), brief(at->before),
+                     motion::wallName(at->wall)),
+            *at, {{at->circle}, {at->wall}}, Suspect::Question);
+    }
+
+    [[nodiscard]] std::optional<LawDeviation> disturbed() const
+    {
+        // What changes in the first step of a throw is no answer of a wall.
+        const auto disturbs = [](const WallHit &hit) {
+            return hit.disturbs && !hit.missed && (hit.step > 1 || hit.fits(hit.radius));
+        };
+        const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), disturbs);
+        const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
+        if (at == m_own.hits.end() || std::any_of(m_own.hits.begin(), m_own.hits.end(), leaps)
+            || std::any_of(m_right.hits.begin(), m_right.hits.end(), disturbs))
+            return std::nullopt;
+        if (isMovedOnlyThen(*at)) {
+            return deviation(
+                WallText::tr("Circle %1 moved only in a step in which a wall was hit")
+                    .arg(at->circle == 0 ? 2 : 1),
+                WallText::tr(
+                    "In the step in which circle %1 was answered by the %2 the other circle went "
+                    "%3 m; in no step before did it move. Look at what lets a step end before its "
+                    "turn, as `return` and `break` do, and at what is asked before it moves.")
+                    .arg(QString::number(at->circle + 1), motion::wallName(at->wall),
+                         brief(at->otherWas.position - at->otherFree.position)),
+                *at, {{at->circle}, {at->wall}}, Suspect::Question, true);
+        }
+        return deviation(
+            WallText::tr("A hit of one circle at a wall also changes the way of the other"),
+            WallText::tr("In the step in which circle %1 was answered by the %2, the other circle, "
+                         "far from every wall, did not go on freely: its place is %3 m and its "
+                         "velocity %4 m/s off. A wall acts on the circle that touches it, and on "
+                         "no other.")
+                .arg(QString::number(at->circle + 1), motion::wallName(at->wall),
+                     brief(at->otherWas.position - at->otherFree.position),
+                     brief(at->otherWas.velocity - at->otherFree.velocity)),
+            *at, {{at->circle}, {at->wall}}, Suspect::Answer, true);
+    }
+
+private:
+    /// Whether the other of two circles, which no step has moved, went on in that of \p hit.
+    [[nodiscard]] static bool isMovedOnlyThen(const WallHit &hit)
+    {
+        const auto &circles = hit.stage.preset.circles;
+        if (circles.size() != 2)
+            return false;
+        const Circle &start = circles[hit.circle == 0 ? 1 : 0].body;
+        return hit.otherFree.position == start.position && hit.otherFree.velocity == start.velocity
+               && hit.otherWas.position != start.position;
+    }
+};
+
+} // namespace
+
+std::optional<LawDeviation> kickedDeviation(const WallComparison &walls)
+{
+    return OtherJudge(walls).kicked();
+}
+
+std::optional<LawDeviation> disturbedDeviation(const WallComparison &walls)
+{
+    return OtherJudge(walls).disturbed();
+}
+
+} // namespace cradle
