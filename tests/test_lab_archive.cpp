@@ -154,6 +154,14 @@ void TestLabArchive::hostileArchivesAreRefused_data()
     row("capital letters alone", named("s1/TASK.json"), "twice");
     row("file and folder of one name", named("S1"), "twice");
     row("file below a file", named("lab.json/x.md"), "twice");
+    const auto both = [](const QByteArray &first, const QByteArray &second) {
+        ZipMaker zip = zipOf(small());
+        zip.add({.name = first, .content = "1"}).add({.name = second, .content = "2"});
+        return zip.toBytes();
+    };
+    row("file of the name of a folder far above", both("S1/a/b/x.md", "S1/A"), "twice");
+    row("file of the name of a folder above", both("S1/a/b/x.md", "S1/a/B"), "twice");
+    row("file far below a file", both("S1/a", "S1/A/b/x.md"), "twice");
     row("link", with({.name = "S1/link.lua", .content = "/etc/passwd", .mode = 0120777}), "link");
     row("link that is named a folder", with({.name = "S2/", .content = "/etc", .mode = 0120777}),
         "link");

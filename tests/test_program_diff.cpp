@@ -62,6 +62,10 @@ void TestProgramDiff::wholeProgramIsMadeOfTheDifference()
 {
     QCOMPARE(*programFromDiff(diff, solution), program);
     QCOMPARE(*programFromDiff(QString(diff).replace(text("\n"), text("\r\n")), solution), program);
+    const QString twice = text("--- solution.lua\nstands in the text, and again:\n\n");
+    QVERIFY(programFromDiff(twice + diff, solution)->startsWith(text("-- --- solution.lua\n")));
+    QCOMPARE(*programFromDiff(QString(diff).remove(0, diff.indexOf(text("---"))), solution),
+             QString(program).remove(0, program.indexOf(text("-- A spring"))));
     // Without the lines of names all is what the student reads.
     QCOMPARE(*programFromDiff(text("One word\n"), solution), text("-- One word\n\n") + solution);
 }

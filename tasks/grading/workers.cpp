@@ -139,9 +139,10 @@ void Workers::judge(int worker, const JudgingRequest &request)
     running.since = now();
     auto pipe = openPipe();
     auto stream = openStream();
-    const bool sent = pipe && stream && m_alive
-                      && sendMessage(m_control.number(), {ServerMessage::Kind::Judge, worker, 0},
-                                     {stream->first.number(), pipe->second.number()});
+    const bool sent =
+        pipe && stream && m_alive
+        && sendMessage(m_control.number(), {.kind = ServerMessage::Kind::Judge, .worker = worker},
+                       {stream->first.number(), pipe->second.number()});
     if (sent) {
         stream->first.close();
         sendAll(stream->second.number(), cradle::bytesOf(request));
@@ -173,7 +174,8 @@ std::vector<WorkerEvent> Workers::wait(int milliseconds)
         if (watched[i + 1].revents)
             readResults(numbers[i], running, events);
         else if (m_alive && now() - running.since > patience)
-            sendMessage(m_control.number(), {ServerMessage::Kind::Kill, numbers[i], 0});
+            sendMessage(m_control.number(),
+                        {.kind = ServerMessage::Kind::Kill, .worker = numbers[i]});
     }
     if (watched.front().revents)
         readControl(events);
@@ -224,7 +226,7 @@ void Workers::readResults(int worker, Running &running, std::vector<WorkerEvent>
         takeFrames(worker, running, events);
     if (!running.fault.isEmpty()) {
         running.results.close();
-        sendMessage(m_control.number(), {ServerMessage::Kind::Kill, worker, 0});
+        sendMessage(m_control.number(), {.kind = ServerMessage::Kind::Kill, .worker = worker});
     }
 }
 
