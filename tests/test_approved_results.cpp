@@ -87,7 +87,7 @@ StudentResult richResult(const Lab &lab)
     student.remark = text("a remark");
     student.steps = {classes::judged(lab, 0, true, false), classes::judged(lab, 1, false, false)};
     StepResult &first = student.steps[0];
-    first.program = text("x = 1\n");
+    first.program = text("x = 1\r\n") + QString(400, u'y') + u'\n' + QString(401, u'z') + u'\n';
     first.attempts = 3;
     first.minutes = 2.5;
     first.drawnBy = text("0042");

@@ -216,6 +216,16 @@ void TestClassJournal::whatIsMissingIsTold()
     const QString second = folder(QStringLiteral("2"));
     Manifest elsewhere = manifestOf(2, 14);
     judge(second, elsewhere, {{"ada", "1", {}}}, false);
+    // Of ten all are told.
+    const auto few = manifestOf(3, 12);
+    judge(folder(QStringLiteral("few")), few, {});
+    judge(folder(QStringLiteral("fewer")), manifestOf(4, 12), {});
+    const auto told =
+        mergeResults({folder(QStringLiteral("few")), folder(QStringLiteral("fewer"))});
+    QVERIFY(told.ok());
+    QCOMPARE(told->remarks.value(0),
+             QStringLiteral("missing of 12 shards: 1, 2, 5, 6, 7, 8, 9, 10, "
+                            "11, 12"));
     elsewhere.isolation = QStringLiteral("none");
     elsewhere.shard.index = 3;
     const QString third = folder(QStringLiteral("3"));
@@ -273,6 +283,8 @@ void TestClassJournal::betterVerdictIsTaken_data()
     QTest::newRow("second is better") << 2 << 1 << true << 2;
     QTest::newRow("first is better") << 1 << 2 << true << 1;
     QTest::newRow("neither") << 2 << 2 << true << 1;
+    QTest::newRow("neither, of one step") << 1 << 1 << true << 1;
+    QTest::newRow("first is whole, second lacks one") << 0 << 1 << true << 1;
     QTest::newRow("both are whole") << 0 << 0 << true << 0;
     QTest::newRow("other work, better") << 2 << 0 << false << 0;
     QTest::newRow("other work, worse") << 0 << 2 << false << 0;

@@ -231,6 +231,7 @@ void TestSimilarPrograms::sharedLinesAreThoseOfTheCopy()
     SimilarPrograms similar(m_lab);
     similar.add(first);
     similar.add(second);
+    QCOMPARE(similar.pairs(0).size(), std::size_t(0));
     QCOMPARE(similar.pairs(10).size(), std::size_t(1));
     const auto shared = similar.sharedLines(first, second);
     QCOMPARE(shared.first.taskId, QStringLiteral("L42T5"));
