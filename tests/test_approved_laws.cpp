@@ -151,7 +151,7 @@ public:
                                    hit.reached,
                                    hit.slowness,
                                    double(hit.parting),
-                                   double(hit.held),
+                                   double(hit.isHeld()),
                                    double(hit.stopped),
                                    double(hit.late),
                                    double(hit.leaper),

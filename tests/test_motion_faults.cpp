@@ -140,6 +140,12 @@ void addFreeMotion()
            "At step 2 circle 2 turned round although its rim was still 0.2 m from the right wall; "
            "it should touch first",
            2, 1.0, -1.0, "m/s");
+    addRow("turned before the wall, with losses", check("integrates", {1}),
+           drift(beside({.position = {3.5, 0}, .velocity = {1, 0.5}}),
+                 change(2, 1, [](Circle &c) { c.velocity.x = -0.4; })),
+           "At step 2 circle 2 turned round although its rim was still 0.2 m from the right wall; "
+           "it should touch first",
+           2, 1.0, -0.4, "m/s");
     addRow("turned far from walls", check("integrates", {1}),
            drift(beside({.position = {2.5, 0}, .velocity = {1, 0}}),
                  change(2, 1, [](Circle &c) { c.velocity.x = -1.0; })),

@@ -49,7 +49,17 @@ void TestResponseLaw::faultIsNamed_data()
     rows("no density", {.mass = text("c.radius ^ 3"), .e = e},
          {text("The hits do not depend on the densities")});
     rows("inverted", {.mass = text("1 / (c.density * c.radius ^ 3)"), .e = e},
-         {text("Each circle answers with the mass of the other")});
+         {text("Each circle answers as if it had the mass of the other")});
+    answer("radii exchanged",
+           "m1, m2 = p.density * q.radius ^ 3, q.density * p.radius ^ 3 "
+           "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n "
+           "q.velocity = q.velocity + j / m2 * n",
+           "Each circle answers as if it had the other's radius");
+    answer("densities exchanged",
+           "m1, m2 = q.density * p.radius ^ 3, p.density * q.radius ^ 3 "
+           "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n "
+           "q.velocity = q.velocity + j / m2 * n",
+           "Each circle answers as if it had the other's density");
     rows("e squared", {.e = text("restitution ^ 2")}, {squared});
     rows("no e", {}, {text("e changes nothing in the hits that were tried")});
     rows("minus e", {.e = text("-restitution")},
@@ -66,7 +76,7 @@ void TestResponseLaw::faultIsNamed_data()
            "local u = (m1 * a + m2 * b) / m "
            "p.velocity = p.velocity + (u + e * m1 * (b - a) / m - a) * n "
            "q.velocity = q.velocity + (u + e * m2 * (a - b) / m - b) * n",
-           "In the rebound each circle has the mass of the other");
+           "In the rebound the two shares are exchanged");
     answer(
         "one after the other",
         "local a, b, m = p.velocity:dot(n), q.velocity:dot(n), m1 + m2 "

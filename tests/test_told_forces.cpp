@@ -160,7 +160,7 @@ void TestToldForces::oneThatStaysAtRestIsTold()
     const auto n = numbersIn(body("L42T4", way,
                                   QStringLiteral("gravity * h if c.velocity:length() < 0.5 then "
                                                  "c.velocity = vec(0, 0) end"),
-                                  "Gravity does not take both circles out of rest"),
+                                  "Gravity leaves both circles at rest"),
                              "Let go at rest, it has (#, #) m/s one step of 1/# s later, far from "
                              "every wall and every other circle; gravity gives it (#, #) m/s in a "
                              "step. Thrown with (#, #) m/s it goes on as it should.");

@@ -20,6 +20,10 @@ private slots:
     void distanceOfAContactIsTold();
     void massesOfAHitAreTold_data();
     void massesOfAHitAreTold();
+    void massesThatAreExchangedAndWrongAreToldApart();
+    void faultAcrossIsToldOnce();
+    void sumOfThePlacesIsToldFarApart_data();
+    void sumOfThePlacesIsToldFarApart();
     void reboundOfAHitIsTold_data();
     void reboundOfAHitIsTold();
     void pushOnOneAloneIsTold_data();
@@ -128,6 +132,68 @@ void TestToldHits::massesOfAHitAreTold()
     QVERIFY(!isNear(n[5], n[6]));
 }
 
+/// Two faults make the ratio of the masses: what each makes of it has its own number.
+void TestToldHits::massesThatAreExchangedAndWrongAreToldApart()
+{
+    const auto found =
+        foundOfHit({.mass = QStringLiteral("1 / (c.density * c.radius ^ 2)"), .e = e});
+    const QString exchanged =
+        bodyOf(found, QStringLiteral("Each circle answers as if it had the mass of the other"));
+    const auto one = numbersIn(exchanged, "With r₁ = # and r₂ = # m, ρ₁ = # and ρ₂ = # (e = #), "
+                                          "the change of v₁ was # times that of v₂");
+    const QString body = bodyOf(found, QStringLiteral("The mass grows with r to the power of 2"));
+    const auto two =
+        numbersIn(body, "With r₁ = # and r₂ = # m, ρ₁ = # and ρ₂ = # (e = #) the masses, whichever "
+                        "stands where, are as 1 to #; 1 to # is right.");
+    QVERIFY2(one.size() == 6 && two.size() == 7, qPrintable(exchanged + body));
+    const double radii = two[1] / two[0];
+    QVERIFY(isNear(one[5], std::pow(radii, -2.0)));
+    QVERIFY(isNear(two[5], std::pow(radii, 2.0)));
+    QVERIFY(isNear(two[6], std::pow(radii, 3.0)));
+}
+
+/// Of two faults the numbers of one stand below its own headline alone.
+void TestToldHits::faultAcrossIsToldOnce()
+{
+    const auto found =
+        foundOfHit({.e = e,
+                    .answer = QStringLiteral("local j = (1 + e ^ 2) * closing / (1 / m1 + 1 / m2) "
+                                             "local u, w = p.velocity:dot(n), q.velocity:dot(n) "
+                                             "p.velocity = e * p.velocity + (1 - e) * u * n "
+                                             "q.velocity = e * q.velocity + (1 - e) * w * n "
+                                             "p.velocity = p.velocity - j / m1 * n "
+                                             "q.velocity = q.velocity + j / m2 * n")});
+    const QString across = text("Across the line of centres circle 1 came");
+    QVERIFY(bodyOf(found, text("e also shortens the parts across")).contains(across));
+    const QString squared = bodyOf(found, text("e is squared in the hit of two circles"));
+    QVERIFY2(squared.contains(text("they left with")) && !squared.contains(across),
+             qPrintable(squared));
+}
+
+void TestToldHits::sumOfThePlacesIsToldFarApart_data()
+{
+    QTest::addColumn<QString>("normal");
+    QTest::newRow("for contact") << "d:normalized()";
+    QTest::newRow("for the normal, too") << "(p.position + q.position):normalized()";
+}
+
+/// Opposite each other about the origin the sum of two places is small.
+void TestToldHits::sumOfThePlacesIsToldFarApart()
+{
+    QFETCH(QString, normal);
+    const QString body =
+        bodyOf(foundOfHit({.touch = QStringLiteral("(p.position + q.position):length() < reach"),
+                           .approach = QStringLiteral("true"),
+                           .normal = normal,
+                           .e = e}),
+               text("The circles are answered far apart, not where they touch"));
+    const auto n = numbersIn(body, "At (#, #) and (#, #) m, opposite each other about the middle "
+                                   "of the square, they were answered with their centres # m");
+    QVERIFY2(n.size() == 5, qPrintable(body));
+    QVERIFY(std::hypot(n[0] + n[2], n[1] + n[3]) < 0.4);
+    QVERIFY(isNear(n[4], std::hypot(n[0] - n[2], n[1] - n[3])));
+}
+
 void TestToldHits::reboundOfAHitIsTold_data()
 {
     QTest::addColumn<QString>("given"); // in place of e
@@ -232,8 +298,8 @@ void TestToldHits::massesAreToldBesideAnotherFault_data()
                           "q.velocity = (q.velocity:dot(n) + j / m2) * n")
         << "The mass grows with r to the power of 2" << 1 << 2.0 << 1.0;
     QTest::newRow("masses exchanged")
-        << "1 / (c.density * c.radius ^ 3)" << half << "Circle 2 answers with the mass of the other"
-        << 2 << -3.0 << -1.0;
+        << "1 / (c.density * c.radius ^ 3)" << half
+        << "Circle 2 answers as if it had the mass of the other" << 2 << -3.0 << -1.0;
     QTest::newRow("right masses") << "c.density * c.radius ^ 3" << half << "" << 0 << 3.0 << 1.0;
     QTest::newRow("neither tells") << disc
                                    << QStringLiteral("p.velocity = p.velocity - 0.5 * j / m1 * n "

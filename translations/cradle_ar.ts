@@ -2379,14 +2379,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>ليس الأمر تبادل الكتلتين مكانيهما فحسب. انظر إلى كل موضع تدخل فيه كتلة في استجابتك.</translation>
     </message>
     <message>
-        <source>Each circle answers with the mass of the other</source>
-        <translation>تستجيب كل دائرة بكتلة الأخرى</translation>
-    </message>
-    <message>
-        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
-        <translation>الأثقل تُدفع أسرع. انظر أيّ كتلة ترد أين.</translation>
-    </message>
-    <message>
         <source>The hits do not depend on the radii</source>
         <translation>التصادمات لا تتوقف على نصفي القطرين</translation>
     </message>
@@ -2893,10 +2885,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
         <translation>اقتربتا بسرعة ⁦%1 m/s⁩ وتداخلتا؛ وبسرعة ⁦%2 m/s⁩ تلقيان استجابة. لا تهمّ سرعة مجيئهما: المهم هل تتداخلان وتتقاربان.</translation>
-    </message>
-    <message>
-        <source>In the rebound each circle has the mass of the other</source>
-        <translation>في الارتداد لكل دائرة كتلة الأخرى</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
@@ -4149,10 +4137,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>⁦|Δx + Δy|⁩ ليس المسافة</translation>
     </message>
     <message>
-        <source>When they touch a place changes, and after the step both velocities are as before. A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
-        <translation>عند تلامسهما يتغيّر موضع، وبعد الخطوة تكون السرعتان كما كانتا. التصادم يغيّر السرعات: انظر هل تُنفَّذ تلك الأسطر، وعمّ تسأل، وهل تعيد أسطر أخرى السرعات كما كانت.</translation>
-    </message>
-    <message>
         <source>In your own scene the circles answer before they touch</source>
         <translation>في مشهدك تستجيب الدائرتان قبل أن تتلامسا</translation>
     </message>
@@ -4289,10 +4273,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), circle %8 leaves as if m₂/m₁ were %5; %6 is right.</source>
         <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (و⁦e = %7⁩)، تمضي الدائرة ⁨%8⁩ كأن ⁦m₂/m₁ = %5⁩؛ الصواب ⁨%6⁩.</translation>
-    </message>
-    <message>
-        <source>Circle %1 answers with the mass of the other</source>
-        <translation>تستجيب الدائرة ⁨%1⁩ بكتلة الأخرى</translation>
     </message>
     <message>
         <source>e multiplies the whole velocity of circle %1 after the hit</source>
@@ -4459,10 +4439,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>الخطوة *تضيف* مسافة إلى الموضع القديم: انظر إلى الأسطر التي تضعها هناك، وإلى ما يُسأل قبلها.</translation>
     </message>
     <message>
-        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity; in your own scene, with %3 m/s, their velocities changed where their centres were between %4 and %5 m apart. Rims touch there at %6 m: look at what is asked besides that.</source>
-        <translation>في الاتجاهات كلها، وعددها ⁨%1⁩، التي قُذفت فيها كل منهما نحو الأخرى بسرعة لا تزيد على ⁦%2 m/s⁩ على خط المركزين لم تغيّر أي منهما سرعتها؛ أما في مشهدك، بسرعة ⁦%3 m/s⁩، فتغيّرت السرعتان حين كانت المسافة بين المركزين بين ⁨%4⁩ و⁦%5 m⁩. تتلامس الحافتان هناك عند ⁦%6 m⁩: انظر ما الذي يُسأل غير ذلك.</translation>
-    </message>
-    <message>
         <source>No hit tried is answered but that of your own scene</source>
         <translation>لم يلقَ استجابةً من التصادمات المجرّبة إلا تصادم مشهدك</translation>
     </message>
@@ -4493,10 +4469,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
         <translation>تمضيان جنبًا إلى جنب ولا تفترقان: لا تأخذ كل منهما إلا نصف التغيّر الذي يُحدثه تصادم مرن. ابحث عن نصف أو متوسط.</translation>
-    </message>
-    <message>
-        <source>Gravity does not take %who out of rest</source>
-        <translation>الجاذبية لا تُخرج %who من السكون</translation>
     </message>
     <message>
         <source>A hit stops circle %1 alone</source>
@@ -4661,6 +4633,86 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>In free flight a step moves %who nowhere</source>
         <translation>في الطيران الحر لا تنقل الخطوة %who</translation>
+    </message>
+    <message>
+        <source>The circles are answered far apart, not where they touch</source>
+        <translation>تستجيب الدائرتان وهما بعيدتان، لا حيث تتلامسان</translation>
+    </message>
+    <message>
+        <source>At %1 and %2 m, opposite each other about the middle of the square, they were answered with their centres %3 m apart.</source>
+        <translation>عند ⁨%1⁩ و⁦%2 m⁩، متقابلتين حول منتصف المربع، استجابتا والمسافة بين المركزين ⁦%3 m⁩.</translation>
+    </message>
+    <message>
+        <source>Look at whether the two places are subtracted: their sum is not the way from one to the other.</source>
+        <translation>انظر هل يُطرح أحد الموضعين من الآخر: فمجموعهما ليس الطريق من أحدهما إلى الآخر.</translation>
+    </message>
+    <message>
+        <source>A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
+        <translation>التصادم يغيّر السرعات: انظر هل تُنفَّذ تلك الأسطر، وعمّ تسأل، وهل تعيد أسطر أخرى السرعات كما كانت.</translation>
+    </message>
+    <message>
+        <source>When they touched both were set to another place, and after the step they had the velocities of before.</source>
+        <translation>عند تلامسهما وُضعت كلتاهما في موضع آخر، وبعد الخطوة كانت لهما السرعتان السابقتان.</translation>
+    </message>
+    <message>
+        <source>When they touched circle %1 was set to another place, and after the step both had the velocities of before.</source>
+        <translation>عند تلامسهما وُضعت الدائرة ⁨%1⁩ في موضع آخر، وبعد الخطوة كانت لكلتيهما السرعتان السابقتان.</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity.</source>
+        <translation>في الاتجاهات كلها، وعددها ⁨%1⁩، التي قُذفت فيها كل منهما نحو الأخرى بسرعة لا تزيد على ⁦%2 m/s⁩ على خط المركزين لم تغيّر أي منهما سرعتها.</translation>
+    </message>
+    <message>
+        <source>In your own scene, with %1 m/s, they were answered in time: look at what is asked besides the distance.</source>
+        <translation>أما في مشهدك، بسرعة ⁦%1 m/s⁩، فاستجابتا في الوقت المناسب: انظر عمّ يُسأل غير المسافة.</translation>
+    </message>
+    <message>
+        <source>In your own scene their velocities changed where their centres were between %1 and %2 m apart; rims touch there at %3 m. Look at what their distance is compared with, and at what is asked besides.</source>
+        <translation>أما في مشهدك فتغيّرت السرعتان حين كانت المسافة بين المركزين بين ⁨%1⁩ و⁦%2 m⁩؛ وتتلامس الحافتان هناك عند ⁦%3 m⁩. انظر بماذا تُقارَن المسافة، وما الذي يُسأل غير ذلك.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves %who at rest</source>
+        <translation>تترك الجاذبية %who في السكون</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7) the masses, whichever stands where, are as 1 to %5; 1 to %6 is right.</source>
+        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩، و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (و⁦e = %7⁩)، نسبة الكتلتين، أيًّا كان موضع كل منهما، ⁦1 : %5⁩؛ الصواب ⁦1 : %6⁩.</translation>
+    </message>
+    <message>
+        <source>Circle %1 answers as if it had the mass of the other</source>
+        <translation>تستجيب الدائرة ⁨%1⁩ كأن لها كتلة الأخرى</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the mass of the other</source>
+        <translation>تستجيب كل دائرة كأن لها كتلة الأخرى</translation>
+    </message>
+    <message>
+        <source>The heavier one is pushed away faster. Look at what each mass is made of, and at which stands where.</source>
+        <translation>الأثقل تُدفع أسرع. انظر ممّ تُحسب كل كتلة، وأيّها ترد أين.</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the other&apos;s radius</source>
+        <translation>تستجيب كل دائرة كأن لها نصف قطر الأخرى</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the other&apos;s density</source>
+        <translation>تستجيب كل دائرة كأن لها كثافة الأخرى</translation>
+    </message>
+    <message>
+        <source>Look at whose radius stands in which mass, and on which side of a division.</source>
+        <translation>انظر نصف قطر أيّ دائرة يرد في أيّ كتلة، وعلى أيّ جانب من القسمة.</translation>
+    </message>
+    <message>
+        <source>Look at whose density stands in which mass, and on which side of a division.</source>
+        <translation>انظر كثافة أيّ دائرة ترد في أيّ كتلة، وعلى أيّ جانب من القسمة.</translation>
+    </message>
+    <message>
+        <source>In the rebound the two shares are exchanged</source>
+        <translation>في الارتداد تبادلت الحصّتان</translation>
+    </message>
+    <message>
+        <source>What comes back of the speed is e times it, not √e times.</source>
+        <translation>يعود من السرعة ⁦e⁩ مرة، لا ⁦√e⁩ مرة.</translation>
     </message>
 </context>
 <context>

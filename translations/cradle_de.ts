@@ -2279,14 +2279,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Der schwerere von zwei Kreisen ändert seine Geschwindigkeit weniger. Sieh nach, wo die Massen beider in deine Antwort eingehen.</translation>
     </message>
     <message>
-        <source>Each circle answers with the mass of the other</source>
-        <translation>Jeder Kreis antwortet mit der Masse des anderen</translation>
-    </message>
-    <message>
-        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
-        <translation>Der schwerere wird schneller weggestoßen. Sieh nach, welche Masse wo steht.</translation>
-    </message>
-    <message>
         <source>The mass grows with r to the power of %1, not %2</source>
         <translation>Die Masse wächst mit r hoch %1, nicht hoch %2</translation>
     </message>
@@ -2869,10 +2861,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
         <translation>Sie näherten sich mit %1 m/s und liefen ineinander; mit %2 m/s antworten sie. Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
-    </message>
-    <message>
-        <source>In the rebound each circle has the mass of the other</source>
-        <translation>Beim Rückprall hat jeder Kreis die Masse des anderen</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
@@ -4105,10 +4093,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>|Δx + Δy| ist nicht der Abstand</translation>
     </message>
     <message>
-        <source>When they touch a place changes, and after the step both velocities are as before. A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
-        <translation>Wenn sie sich berühren, ändert sich ein Ort, und nach dem Schritt sind beide Geschwindigkeiten wie zuvor. Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen, was sie fragen und ob andere die Geschwindigkeiten wieder zurückändern.</translation>
-    </message>
-    <message>
         <source>In your own scene the circles answer before they touch</source>
         <translation>In deiner eigenen Szene antworten die Kreise, bevor sie sich berühren</translation>
     </message>
@@ -4237,10 +4221,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), circle %8 leaves as if m₂/m₁ were %5; %6 is right.</source>
         <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) geht Kreis %8 davon, als wäre m₂/m₁ = %5; richtig ist %6.</translation>
-    </message>
-    <message>
-        <source>Circle %1 answers with the mass of the other</source>
-        <translation>Kreis %1 antwortet mit der Masse des anderen</translation>
     </message>
     <message>
         <source>e multiplies the whole velocity of circle %1 after the hit</source>
@@ -4407,10 +4387,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>Ein Schritt *addiert* einen Weg zum alten Ort: Sieh dir die Zeilen an, die den Kreis dorthin setzen, und was vor ihnen gefragt wird.</translation>
     </message>
     <message>
-        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity; in your own scene, with %3 m/s, their velocities changed where their centres were between %4 and %5 m apart. Rims touch there at %6 m: look at what is asked besides that.</source>
-        <translation>Aus allen %1 Richtungen, in denen sie mit bis zu %2 m/s längs der Verbindungslinie der Mittelpunkte gegeneinander geworfen wurden, änderte keiner seine Geschwindigkeit; in deiner eigenen Szene, mit %3 m/s, änderten sich die Geschwindigkeiten, als die Mittelpunkte zwischen %4 und %5 m Abstand hatten. Die Ränder berühren sich dort bei %6 m: Sieh dir an, was außerdem gefragt wird.</translation>
-    </message>
-    <message>
         <source>No hit tried is answered but that of your own scene</source>
         <translation>Kein versuchter Stoß wird beantwortet, nur der deiner Szene</translation>
     </message>
@@ -4441,10 +4417,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
         <translation>Sie laufen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die halbe Änderung, die ein elastischer Stoß macht. Suche nach einer Hälfte oder einem Mittelwert.</translation>
-    </message>
-    <message>
-        <source>Gravity does not take %who out of rest</source>
-        <translation>Die Schwerkraft setzt %who nicht in Bewegung</translation>
     </message>
     <message>
         <source>A hit stops circle %1 alone</source>
@@ -4504,15 +4476,15 @@ Unter der Schwerkraft bewegt sich Kreis 1 nach %1, mit dem Weg %2 in einem Schri
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there. Look at whose radius stands in the questions.</source>
-        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dort. Sieh nach, wessen Radius in den Fragen steht.</translation>
+        <translation>Der Radius von Kreis %3 ist %1 m, und umgekehrt wird, wenn der Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dabei. Sieh nach, wessen Radius in den Fragen steht.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is larger. Each circle has its own.</source>
-        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dort, der größer ist. Jeder Kreis hat seinen eigenen.</translation>
+        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dabei, der größer ist. Jeder Kreis hat seinen eigenen.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is smaller. Each circle has its own.</source>
-        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dort, der kleiner ist. Jeder Kreis hat seinen eigenen.</translation>
+        <translation>Der Radius von Kreis %3 ist %1 m, und er kehrt um, wenn sein Mittelpunkt %2 m von der Wand entfernt ist: der Radius des anderen Kreises dabei, der kleiner ist. Jeder Kreis hat seinen eigenen.</translation>
     </message>
     <message>
         <source>Here the radius of circle %3 is %1 m, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
@@ -4609,6 +4581,86 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>In free flight a step moves %who nowhere</source>
         <translation>Im freien Flug bewegt ein Schritt nichts vom Fleck (%who)</translation>
+    </message>
+    <message>
+        <source>The circles are answered far apart, not where they touch</source>
+        <translation>Die Kreise antworten weit voneinander, nicht wo sie sich berühren</translation>
+    </message>
+    <message>
+        <source>At %1 and %2 m, opposite each other about the middle of the square, they were answered with their centres %3 m apart.</source>
+        <translation>Bei %1 und %2 m, einander gegenüber um die Mitte des Quadrats, antworteten sie, als ihre Mittelpunkte %3 m Abstand hatten.</translation>
+    </message>
+    <message>
+        <source>Look at whether the two places are subtracted: their sum is not the way from one to the other.</source>
+        <translation>Sieh nach, ob die beiden Orte voneinander abgezogen werden: Ihre Summe ist nicht der Weg vom einen zum anderen.</translation>
+    </message>
+    <message>
+        <source>A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
+        <translation>Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen, was sie fragen und ob andere die Geschwindigkeiten wieder zurückändern.</translation>
+    </message>
+    <message>
+        <source>When they touched both were set to another place, and after the step they had the velocities of before.</source>
+        <translation>Als sie sich berührten, wurden beide an einen anderen Ort gesetzt, und nach dem Schritt hatten sie die Geschwindigkeiten von vorher.</translation>
+    </message>
+    <message>
+        <source>When they touched circle %1 was set to another place, and after the step both had the velocities of before.</source>
+        <translation>Als sie sich berührten, wurde Kreis %1 an einen anderen Ort gesetzt, und nach dem Schritt hatten beide die Geschwindigkeiten von vorher.</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity.</source>
+        <translation>Aus allen %1 Richtungen, in denen sie mit bis zu %2 m/s längs der Verbindungslinie der Mittelpunkte gegeneinander geworfen wurden, änderte keiner seine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>In your own scene, with %1 m/s, they were answered in time: look at what is asked besides the distance.</source>
+        <translation>In deiner eigenen Szene, mit %1 m/s, antworteten sie rechtzeitig: Sieh dir an, was außer dem Abstand gefragt wird.</translation>
+    </message>
+    <message>
+        <source>In your own scene their velocities changed where their centres were between %1 and %2 m apart; rims touch there at %3 m. Look at what their distance is compared with, and at what is asked besides.</source>
+        <translation>In deiner eigenen Szene änderten sich die Geschwindigkeiten, als die Mittelpunkte zwischen %1 und %2 m Abstand hatten; die Ränder berühren sich dort bei %3 m. Sieh dir an, womit der Abstand verglichen wird und was außerdem gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves %who at rest</source>
+        <translation>Die Schwerkraft lässt %who in Ruhe</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7) the masses, whichever stands where, are as 1 to %5; 1 to %6 is right.</source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %7) verhalten sich die Massen, welche auch wo steht, wie 1 zu %5; richtig ist 1 zu %6.</translation>
+    </message>
+    <message>
+        <source>Circle %1 answers as if it had the mass of the other</source>
+        <translation>Kreis %1 antwortet, als hätte er die Masse des anderen</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the mass of the other</source>
+        <translation>Jeder Kreis antwortet, als hätte er die Masse des anderen</translation>
+    </message>
+    <message>
+        <source>The heavier one is pushed away faster. Look at what each mass is made of, and at which stands where.</source>
+        <translation>Der schwerere wird schneller weggestoßen. Sieh nach, woraus jede Masse gemacht wird und welche wo steht.</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the other&apos;s radius</source>
+        <translation>Jeder Kreis antwortet, als hätte er den Radius des anderen</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the other&apos;s density</source>
+        <translation>Jeder Kreis antwortet, als hätte er die Dichte des anderen</translation>
+    </message>
+    <message>
+        <source>Look at whose radius stands in which mass, and on which side of a division.</source>
+        <translation>Sieh nach, wessen Radius in welcher Masse steht und auf welcher Seite einer Division.</translation>
+    </message>
+    <message>
+        <source>Look at whose density stands in which mass, and on which side of a division.</source>
+        <translation>Sieh nach, wessen Dichte in welcher Masse steht und auf welcher Seite einer Division.</translation>
+    </message>
+    <message>
+        <source>In the rebound the two shares are exchanged</source>
+        <translation>Beim Rückprall sind die beiden Anteile vertauscht</translation>
+    </message>
+    <message>
+        <source>What comes back of the speed is e times it, not √e times.</source>
+        <translation>Von der Geschwindigkeit kommt das e-fache zurück, nicht das √e-fache.</translation>
     </message>
 </context>
 <context>

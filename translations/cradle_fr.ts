@@ -2355,14 +2355,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Les masses ne sont pas seulement échangées. Regardez chaque endroit où l&apos;une d&apos;elles entre dans votre réponse.</translation>
     </message>
     <message>
-        <source>Each circle answers with the mass of the other</source>
-        <translation>Chaque cercle réagit avec la masse de l&apos;autre</translation>
-    </message>
-    <message>
-        <source>The heavier one is pushed away faster. Look at which mass stands where.</source>
-        <translation>Le plus lourd est repoussé plus vite. Regardez quelle masse figure où.</translation>
-    </message>
-    <message>
         <source>The hits do not depend on the radii</source>
         <translation>Les chocs ne dépendent pas des rayons</translation>
     </message>
@@ -2869,10 +2861,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
         <translation>Ils se sont rapprochés à %1 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %2 m/s il y a une réaction. Peu importe à quelle vitesse ils viennent&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
-    </message>
-    <message>
-        <source>In the rebound each circle has the mass of the other</source>
-        <translation>Dans le rebond, chaque cercle a la masse de l&apos;autre</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
@@ -4105,10 +4093,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>|Δx + Δy| n&apos;est pas la distance</translation>
     </message>
     <message>
-        <source>When they touch a place changes, and after the step both velocities are as before. A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
-        <translation>Quand ils se touchent, une position change, et après le pas les deux vitesses sont comme avant. Un choc change des vitesses&#xa0;: voyez si ces lignes s&apos;exécutent, ce qu&apos;elles demandent et si d&apos;autres rétablissent les vitesses.</translation>
-    </message>
-    <message>
         <source>In your own scene the circles answer before they touch</source>
         <translation>Dans votre propre scène, les cercles répondent avant de se toucher</translation>
     </message>
@@ -4237,10 +4221,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), circle %8 leaves as if m₂/m₁ were %5; %6 is right.</source>
         <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), le cercle %8 repart comme si m₂/m₁ valait %5&#xa0;; il faut %6.</translation>
-    </message>
-    <message>
-        <source>Circle %1 answers with the mass of the other</source>
-        <translation>Le cercle %1 réagit avec la masse de l&apos;autre</translation>
     </message>
     <message>
         <source>e multiplies the whole velocity of circle %1 after the hit</source>
@@ -4407,10 +4387,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Un pas *ajoute* un chemin à l&apos;ancienne position&#xa0;: regardez les lignes qui mettent le cercle là, et ce qui est demandé avant elles.</translation>
     </message>
     <message>
-        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity; in your own scene, with %3 m/s, their velocities changed where their centres were between %4 and %5 m apart. Rims touch there at %6 m: look at what is asked besides that.</source>
-        <translation>Dans les %1 directions où ils ont été lancés l&apos;un contre l&apos;autre, à %2 m/s au plus suivant la ligne des centres, aucun n&apos;a changé de vitesse&#xa0;; dans votre propre scène, à %3 m/s, les vitesses ont changé quand les centres étaient entre %4 et %5 m l&apos;un de l&apos;autre. Les bords s&apos;y touchent à %6 m&#xa0;: regardez ce qui est demandé en plus.</translation>
-    </message>
-    <message>
         <source>No hit tried is answered but that of your own scene</source>
         <translation>Aucun choc essayé n&apos;a de réponse, hors celui de votre scène</translation>
     </message>
@@ -4441,10 +4417,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
         <translation>Ils continuent côte à côte et ne se séparent pas&#xa0;: chacun ne reçoit que la moitié du changement que fait un choc élastique. Cherchez une moitié ou une moyenne.</translation>
-    </message>
-    <message>
-        <source>Gravity does not take %who out of rest</source>
-        <translation>La pesanteur ne met pas %who en mouvement</translation>
     </message>
     <message>
         <source>A hit stops circle %1 alone</source>
@@ -4504,15 +4476,15 @@ Sous la pesanteur, le cercle 1 se déplace selon %1, avec le chemin %2 en un pas
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there. Look at whose radius stands in the questions.</source>
-        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est le rayon de l&apos;autre cercle à cet endroit. Regardez le rayon de quel cercle figure dans les conditions.</translation>
+        <translation>Le rayon du cercle %3 est de %1 m, et le demi-tour a lieu quand le centre est à %2 m de la paroi&#xa0;: c&apos;est là le rayon de l&apos;autre cercle. Regardez le rayon de quel cercle figure dans les conditions.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is larger. Each circle has its own.</source>
-        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle à cet endroit, qui est plus grand. Chaque cercle a le sien.</translation>
+        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: c&apos;est là le rayon de l&apos;autre cercle, qui est plus grand. Chaque cercle a le sien.</translation>
     </message>
     <message>
         <source>The radius of circle %3 is %1 m, and it turns when its centre is %2 m from the wall: the radius of the other circle there, which is smaller. Each circle has its own.</source>
-        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: le rayon de l&apos;autre cercle à cet endroit, qui est plus petit. Chaque cercle a le sien.</translation>
+        <translation>Le rayon du cercle %3 est de %1 m, et il repart quand son centre est à %2 m de la paroi&#xa0;: c&apos;est là le rayon de l&apos;autre cercle, qui est plus petit. Chaque cercle a le sien.</translation>
     </message>
     <message>
         <source>Here the radius of circle %3 is %1 m, and yet it turns when its centre is 0.2 m from the wall. Take the radius that the circle has.</source>
@@ -4609,6 +4581,86 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>In free flight a step moves %who nowhere</source>
         <translation>En vol libre, un pas ne déplace rien, pour %who</translation>
+    </message>
+    <message>
+        <source>The circles are answered far apart, not where they touch</source>
+        <translation>Les cercles réagissent loin l&apos;un de l&apos;autre, pas au contact</translation>
+    </message>
+    <message>
+        <source>At %1 and %2 m, opposite each other about the middle of the square, they were answered with their centres %3 m apart.</source>
+        <translation>En %1 et %2 m, opposés l&apos;un à l&apos;autre autour du milieu du carré, ils ont réagi avec leurs centres à %3 m l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Look at whether the two places are subtracted: their sum is not the way from one to the other.</source>
+        <translation>Regardez si les deux positions sont soustraites&#xa0;: leur somme n&apos;est pas le chemin de l&apos;une à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
+        <translation>Un choc change des vitesses&#xa0;: voyez si ces lignes s&apos;exécutent, ce qu&apos;elles demandent et si d&apos;autres rétablissent les vitesses.</translation>
+    </message>
+    <message>
+        <source>When they touched both were set to another place, and after the step they had the velocities of before.</source>
+        <translation>Quand ils se sont touchés, tous deux ont été mis à une autre position, et après le pas ils avaient les vitesses d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>When they touched circle %1 was set to another place, and after the step both had the velocities of before.</source>
+        <translation>Quand ils se sont touchés, le cercle %1 a été mis à une autre position, et après le pas tous deux avaient les vitesses d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity.</source>
+        <translation>Dans les %1 directions où ils ont été lancés l&apos;un contre l&apos;autre, à %2 m/s au plus suivant la ligne des centres, aucun n&apos;a changé de vitesse.</translation>
+    </message>
+    <message>
+        <source>In your own scene, with %1 m/s, they were answered in time: look at what is asked besides the distance.</source>
+        <translation>Dans votre propre scène, à %1 m/s, ils ont réagi à temps&#xa0;: regardez ce qui est demandé en plus de la distance.</translation>
+    </message>
+    <message>
+        <source>In your own scene their velocities changed where their centres were between %1 and %2 m apart; rims touch there at %3 m. Look at what their distance is compared with, and at what is asked besides.</source>
+        <translation>Dans votre propre scène, les vitesses ont changé quand les centres étaient entre %1 et %2 m l&apos;un de l&apos;autre&#xa0;; les bords s&apos;y touchent à %3 m. Regardez à quoi leur distance est comparée, et ce qui est demandé en plus.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves %who at rest</source>
+        <translation>La pesanteur laisse %who au repos</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7) the masses, whichever stands where, are as 1 to %5; 1 to %6 is right.</source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %7), les masses, quelle que soit la place de chacune, sont comme 1 à %5&#xa0;; 1 à %6 est juste.</translation>
+    </message>
+    <message>
+        <source>Circle %1 answers as if it had the mass of the other</source>
+        <translation>Le cercle %1 réagit comme s&apos;il avait la masse de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the mass of the other</source>
+        <translation>Chaque cercle réagit comme s&apos;il avait la masse de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>The heavier one is pushed away faster. Look at what each mass is made of, and at which stands where.</source>
+        <translation>Le plus lourd est repoussé plus vite. Regardez de quoi chaque masse est faite, et laquelle figure où.</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the other&apos;s radius</source>
+        <translation>Chaque cercle réagit comme s&apos;il avait le rayon de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Each circle answers as if it had the other&apos;s density</source>
+        <translation>Chaque cercle réagit comme s&apos;il avait la masse volumique de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Look at whose radius stands in which mass, and on which side of a division.</source>
+        <translation>Regardez le rayon de quel cercle figure dans quelle masse, et de quel côté d&apos;une division.</translation>
+    </message>
+    <message>
+        <source>Look at whose density stands in which mass, and on which side of a division.</source>
+        <translation>Regardez la masse volumique de quel cercle figure dans quelle masse, et de quel côté d&apos;une division.</translation>
+    </message>
+    <message>
+        <source>In the rebound the two shares are exchanged</source>
+        <translation>Dans le rebond, les deux parts sont échangées</translation>
+    </message>
+    <message>
+        <source>What comes back of the speed is e times it, not √e times.</source>
+        <translation>De la vitesse revient e fois, et non √e fois.</translation>
     </message>
 </context>
 <context>

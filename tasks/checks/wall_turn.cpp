@@ -21,7 +21,7 @@ struct BounceText {
 constexpr double heldSteps = 1.5;
 /// What turns round and is so many times as fast as before was not turned by a wall.
 constexpr double mostBack = 2.0;
-/// Relative: what is turned round keeps its speed.
+/// Relative: what is turned round keeps its part along the wall, and gets no faster.
 constexpr double turnedTolerance = 1e-6;
 
 QString beforeTouching(const Observation &o, int circle, qint64 step, Wall ahead)
@@ -96,12 +96,14 @@ std::optional<Fault> turnBeforeWall(const Observation &o, int i, qint64 k, Vec2 
     for (const Wall wall : allWalls) {
         const Vec2 n = outwardNormal(wall);
         const double speed = dot(kept, n);
-        const bool isTurned =
-            quickLength(after - (kept - 2.0 * speed * n)) <= turnedTolerance * quickLength(kept);
+        const double back = -dot(after, n);
+        const double slack = turnedTolerance * quickLength(kept);
+        const bool isTurned = quickLength(after - (kept - (speed + back) * n)) <= slack
+                              && back > slack && back <= speed + slack;
         if (speed > 0.0 && isTurned && motion::wallGap(o, o.circle(i, k), wall) <= widest)
             return Fault{.message = beforeTouching(o, i, k, wall),
                          .expected = speed,
-                         .observed = -speed,
+                         .observed = -back,
                          .unit = QStringLiteral("m/s"),
                          .step = k + 1,
                          .circle = i};

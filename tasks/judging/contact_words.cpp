@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> judge()
     {
-        if (findNever() || findParting())
+        if (findOpposite() || findNever() || findParting())
             return std::move(m_found);
         DividedMeetings divided(m_own, m_right, m_ground);
         if (!divided.isOfWay())
@@ -55,6 +55,32 @@ private:
                            [](const PairHit &hit) { return hit.isInTime(); });
     }
 
+    /// Those that are far apart and opposite about the origin are answered, and hardly any where
+    /// they touch.
+    bool findOpposite()
+    {
+        const auto inTime = std::count_if(m_own.contacts.begin(), m_own.contacts.end(), isInTime);
+        if (!m_own.opposite || !answersAny(m_right.contacts)
+            || 2 * inTime >= std::ssize(m_own.contacts))
+            return false;
+        const PairHit &hit = *m_own.opposite;
+        const std::vector<PresetCircle> &circles = hit.stage.preset.circles;
+        add(ContactText::tr("The circles are answered far apart, not where they touch"),
+            ContactText::tr("At %1 and %2 m, opposite each other about the middle of the square, "
+                            "they were answered with their centres %3 m apart.")
+                    .arg(brief(circles[0].body.position), brief(circles[1].body.position),
+                         brief(hit.before))
+                + QLatin1Char(' ')
+                + ContactText::tr("Of %1 meetings tried, %n were answered in time.", nullptr,
+                                  static_cast<int>(inTime))
+                      .arg(m_own.contacts.size())
+                + QLatin1Char(' ')
+                + ContactText::tr("Look at whether the two places are subtracted: their sum is not "
+                                  "the way from one to the other."),
+            hit, Suspect::Reach);
+        return true;
+    }
+
     bool findNever()
     {
         // With e = 1 a hit may come to nothing that is one with another e, and elsewhere or of
@@ -71,7 +97,7 @@ private:
             return true;
         }
         const auto held = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
-                                       [](const PairHit &h) { return h.held; });
+                                       [](const PairHit &h) { return h.isHeld(); });
         if (right && held != m_own.contacts.end() && held->leaper >= 0)
             add(ContactText::tr("A hit changes the places of the circles, not their velocities"),
                 ContactText::tr("When they touched, circle %1 was put to %2 m, far from where it "
@@ -82,11 +108,10 @@ private:
                 *held);
         else if (right && held != m_own.contacts.end())
             add(ContactText::tr("The circles are put back and keep their velocities"),
-                ContactText::tr(
-                    "When they touch a place changes, and after the step both velocities "
-                    "are as before. A hit changes velocities: look at whether those "
-                    "lines run, at what they ask, and at whether others change the "
-                    "velocities back."),
+                whoIsMoved(*held) + QLatin1Char(' ')
+                    + ContactText::tr("A hit changes velocities: look at whether those lines run, "
+                                      "at what they ask, and at whether others change the "
+                                      "velocities back."),
                 *held);
         else if (right)
             add(ContactText::tr("The circles run through each other"),
@@ -100,6 +125,16 @@ private:
         return true;
     }
 
+    static QString whoIsMoved(const PairHit &hit)
+    {
+        return hit.moved1 && hit.moved2
+                   ? ContactText::tr("When they touched both were set to another place, and after "
+                                     "the step they had the velocities of before.")
+                   : ContactText::tr("When they touched circle %1 was set to another place, and "
+                                     "after the step both had the velocities of before.")
+                         .arg(hit.moved1 ? 1 : 2);
+    }
+
     /// The first hit of the own scene is answered, and none of those that are thrown.
     void findOwnAlone()
     {
@@ -110,16 +145,25 @@ private:
         const QString seen =
             ContactText::tr("From all %1 directions in which they were thrown at each other, with "
                             "up to %2 m/s along the line of centres, neither of them changed its "
-                            "velocity; in your own scene, with %3 m/s, their velocities changed "
-                            "where their centres were between %4 and %5 m apart. Rims touch there "
-                            "at %6 m: look at what is asked besides that.")
-                .arg(QString::number(m_own.contacts.size()), brief(fastest),
-                     brief(hit.slowness * dot(hit.came1 - hit.came2, hit.normal)),
-                     brief(hit.reached), brief(hit.before), brief(hit.meeting.sum()));
-        add(isInTime(hit)
-                ? ContactText::tr("No hit tried is answered but that of your own scene")
-                : ContactText::tr("The circles are answered much too late, or not at all"),
-            seen, whereTheyTouch(m_own.contacts.front()));
+                            "velocity.")
+                .arg(QString::number(m_own.contacts.size()), brief(fastest))
+            + QLatin1Char(' ');
+        if (isInTime(hit))
+            add(ContactText::tr("No hit tried is answered but that of your own scene"),
+                seen
+                    + ContactText::tr("In your own scene, with %1 m/s, they were answered in time: "
+                                      "look at what is asked besides the distance.")
+                          .arg(brief(hit.slowness * dot(hit.came1 - hit.came2, hit.normal))),
+                whereTheyTouch(m_own.contacts.front()));
+        else
+            add(ContactText::tr("The circles are answered much too late, or not at all"),
+                seen
+                    + ContactText::tr("In your own scene their velocities changed where their "
+                                      "centres were between %1 and %2 m apart; rims touch there at "
+                                      "%3 m. Look at what their distance is compared with, and at "
+                                      "what is asked besides.")
+                          .arg(brief(hit.reached), brief(hit.before), brief(hit.meeting.sum())),
+                whereTheyTouch(m_own.contacts.front()));
     }
 
     /// All that are answered are answered when they leave each other.
@@ -133,11 +177,12 @@ private:
             return false;
         const PairHit &hit = *found;
         add(ContactText::tr("The circles answer when they part, not when they meet"),
-            (hit.held ? ContactText::tr("They touched, their places were changed and their "
-                                        "velocities kept, until they moved apart.")
-                      : ContactText::tr("They ran into each other until their centres were %1 m "
-                                        "apart, and were answered when that grew again.")
-                            .arg(brief(hit.before)))
+            (hit.isHeld()
+                 ? ContactText::tr("They touched, their places were changed and their "
+                                   "velocities kept, until they moved apart.")
+                 : ContactText::tr("They ran into each other until their centres were %1 m "
+                                   "apart, and were answered when that grew again.")
+                       .arg(brief(hit.before)))
                 + QLatin1Char(' ')
                 + ContactText::tr("Circles that come nearer have a positive closing speed "
                                   "(v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at "

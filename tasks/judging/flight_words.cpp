@@ -181,7 +181,7 @@ private:
             return std::nullopt;
         FlightSaid fault = said(
             length(f.fromRest.velocity) < 1e-9
-                ? FlightText::tr("Gravity does not take %who out of rest")
+                ? FlightText::tr("Gravity leaves %who at rest")
                 : FlightText::tr("The velocity of %who changes although it touches nothing"),
             FlightText::tr("Let go at rest, it has %1 m/s one step of %2 s later, far from every "
                            "wall and every other circle; gravity gives it %3 m/s in a step. Thrown "

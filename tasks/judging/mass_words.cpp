@@ -34,6 +34,7 @@ struct MassTeller {
     const MeasuredPair &own;
     const MeasuredPair &right;
     std::optional<int> circle{}; ///< from 0
+    bool isExchanged = false;    ///< that they stand for each other has been said
 
     [[nodiscard]] LawDeviation say(const QString &headline, const QString &why,
                                    std::vector<PairHit> MeasuredPair::*hits) const
@@ -47,30 +48,48 @@ struct MassTeller {
                                                     : 1;
         const double heavy = (circle ? massRatioFor(hit, *circle) : massRatio(hit)).value_or(0.0);
         QString what =
-            one >= 0
+            isExchanged ? ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = "
+                                           "%7) the masses, whichever stands where, are as 1 to "
+                                           "%5; 1 to %6 is right.")
+            : one >= 0
                 ? ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), "
                                    "circle %8 leaves as if m₂/m₁ were %5; %6 is right.")
                 : ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %7), the "
                                    "change of v₁ was %5 times that of v₂; m₂/m₁ = %6 is right.");
-        what = what.arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
-                        brief(heavy), brief(massRatio((right.*hits).front()).value_or(0.0)),
-                        brief(m.restitution));
-        if (one >= 0)
+        what =
+            what.arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
+                     brief(isExchanged ? 1.0 / heavy : heavy),
+                     brief(massRatio((right.*hits).front()).value_or(0.0)), brief(m.restitution));
+        if (one >= 0 && !isExchanged)
             what = what.arg(one + 1);
         return responseDeviation(headline, what + QLatin1Char(' ') + why, hit, Suspect::Masses);
     }
 
     [[nodiscard]] LawDeviation exchanged() const
     {
-        LawDeviation exchange = say(
-            circle
-                ? ResponseText::tr("Circle %1 answers with the mass of the other").arg(*circle + 1)
-                : ResponseText::tr("Each circle answers with the mass of the other"),
-            ResponseText::tr("The heavier one is pushed away faster. Look at which "
-                             "mass stands where."),
-            &MeasuredPair::radii);
+        LawDeviation exchange =
+            say(circle ? ResponseText::tr("Circle %1 answers as if it had the mass of the other")
+                             .arg(*circle + 1)
+                       : ResponseText::tr("Each circle answers as if it had the mass of the other"),
+                ResponseText::tr("The heavier one is pushed away faster. Look at what each mass is "
+                                 "made of, and at which stands where."),
+                &MeasuredPair::radii);
         exchange.suspect = Suspect::Formula;
         return exchange;
+    }
+
+    /// That a quantity goes into the mass of the other circle; what else is in it does not.
+    [[nodiscard]] LawDeviation ofOther(std::vector<PairHit> MeasuredPair::*hits) const
+    {
+        const bool isRadius = hits == &MeasuredPair::radii;
+        return say(
+            isRadius ? ResponseText::tr("Each circle answers as if it had the other's radius")
+                     : ResponseText::tr("Each circle answers as if it had the other's density"),
+            isRadius ? ResponseText::tr("Look at whose radius stands in which mass, and on which "
+                                        "side of a division.")
+                     : ResponseText::tr("Look at whose density stands in which mass, and on "
+                                        "which side of a division."),
+            hits);
     }
 
     [[nodiscard]] LawDeviation radius(double p, double good) const
@@ -164,7 +183,7 @@ bool isOff(std::optional<double> a, std::optional<double> b)
 }
 
 /// In what powers of radius and density the masses of \p own are not those of \p right.
-std::vector<LawDeviation> powerDeviations(const MassTeller &tell, MassExponents p,
+std::vector<LawDeviation> powerDeviations(MassTeller tell, MassExponents p,
                                           const MassExponents &good)
 {
     std::vector<LawDeviation> found;
@@ -178,14 +197,26 @@ std::vector<LawDeviation> powerDeviations(const MassTeller &tell, MassExponents 
                                               "place where one enters your answer."),
                              &MeasuredPair::radii)};
         found.push_back(tell.exchanged());
+        tell.isExchanged = true;
         p.radius = -*p.radius;
         if (p.density)
             p.density = -*p.density;
     }
+    const auto turn = [&](std::optional<double> &power, std::vector<PairHit> MeasuredPair::*hits) {
+        MassTeller told = tell;
+        if (power && *power < -ratioBlur && isPower(*power)) {
+            found.push_back(tell.ofOther(hits));
+            power = -*power;
+            told.isExchanged = true;
+        }
+        return told;
+    };
+    const MassTeller ofRadii = turn(p.radius, &MeasuredPair::radii);
     if (isOff(p.radius, good.radius))
-        found.push_back(tell.radius(*p.radius, *good.radius));
+        found.push_back(ofRadii.radius(*p.radius, *good.radius));
+    const MassTeller ofDensities = turn(p.density, &MeasuredPair::densities);
     if (isOff(p.density, good.density))
-        found.push_back(tell.density(*p.density, *good.density));
+        found.push_back(ofDensities.density(*p.density, *good.density));
     return found;
 }
 

@@ -245,6 +245,8 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     };
     if (missesSome(contacts) || missesSome(equals) || missesSome(radii) || missesSome(densities))
         varied = range.varied(e);
+    if (!varied.empty())
+        opposite = range.opposite(small);
     // What is said of a program that stopped is its error.
     const auto stopped = [](const PairHit &hit) { return hit.stopped; };
     for (const auto *hits : {&contacts, &equals, &radii, &densities, &rebounds})
@@ -282,7 +284,7 @@ bool MeasuredPair::contactIsLike(const MeasuredPair &other) const
     // Ways of a step that overlap: more apart are two distances.
     constexpr double alikeWays = 1.01;
     const auto meetAlike = [](const PairHit &a, const PairHit &b) {
-        return a.answered == b.answered && a.held == b.held
+        return a.answered == b.answered && a.isHeld() == b.isHeld()
                && (!a.answered
                    || (a.parting == b.parting
                        && std::abs(a.reached - b.reached)

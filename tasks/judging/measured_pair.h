@@ -52,9 +52,10 @@ struct PairHit {
     Vec2 came2{};
     Vec2 left1{}; ///< and those that it made
     Vec2 left2{};
-    double slowness = 1.0;    ///< velocities of the stage are these times so much
-    bool parting = false;     ///< they had passed each other, or moved apart already
-    bool held = false;        ///< one was put back before, and no velocity changed
+    double slowness = 1.0; ///< velocities of the stage are these times so much
+    bool parting = false;  ///< they had passed each other, or moved apart already
+    bool moved1 = false;   ///< its place was set before, and no velocity changed
+    bool moved2 = false;
     bool stopped = false;     ///< the program stopped with an error
     bool late = false;        ///< others, coming along the same line, are answered long before
     int leaper = -1;          ///< the circle, from 0, that it put far from its own path
@@ -79,8 +80,10 @@ struct PairHit {
     /// Whether its answer puts them farther from each other than they come by flying on for two
     /// steps, before and after it.
     [[nodiscard]] bool isPutFar() const;
+    /// Whether the place of one was set while no velocity changed.
+    [[nodiscard]] bool isHeld() const { return moved1 || moved2; }
     /// Whether it was noticed but changed no velocity.
-    [[nodiscard]] bool isHeldAlone() const { return held && !answered; }
+    [[nodiscard]] bool isHeldAlone() const { return isHeld() && !answered; }
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.
     [[nodiscard]] bool fits(double distance) const;
     /// Speed with which they parted, of that with which they met, along the push on circle 2.
@@ -150,6 +153,7 @@ struct MeasuredPair {
     /// What became of a run that begins just before it ran through, if it did.
     std::optional<PairHit> ranThroughAnew{};
     std::vector<PairHit> varied{};      ///< where some are missed: thrown in many ways
+    std::optional<PairHit> opposite{};  ///< and far apart, opposite each other about the origin
     std::optional<PairHit> slow{};      ///< equal circles meet slowly, with an e of the middle
     std::optional<PairHit> fast{};      ///< and so fast that they are deep in each other at once
     std::optional<LaterHit> later{};    ///< two hits with different lines of centres

@@ -57,7 +57,7 @@ private:
     void findSpeed(const std::optional<PairHit> &own, const std::optional<PairHit> &right,
                    const QString &headline)
     {
-        if (!own || !right || own->answered || own->held || !right->isMet()
+        if (!own || !right || own->answered || own->isHeld() || !right->isMet()
             || !answersAny(m_own.equals))
             return;
         add(headline,

@@ -86,7 +86,7 @@ std::optional<LawDeviation> exchangedRebound(const MeasuredPair &own, const Meas
     if (!holds(own.radii, right.radii) || !holds(own.densities, right.densities) || !shown)
         return std::nullopt;
     return responseDeviation(
-        ResponseText::tr("In the rebound each circle has the mass of the other"),
+        ResponseText::tr("In the rebound the two shares are exchanged"),
         ResponseText::tr("With ρ₁ = %1 and ρ₂ = %2, e = %3: ")
                 .arg(brief(shown->meeting.density1), brief(shown->meeting.density2),
                      brief(shown->meeting.restitution))

@@ -136,7 +136,7 @@ private:
         const auto &own = m_own.pair().own;
         const auto &right = m_right.pair().own;
         if (own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
-            && leaveAlike(*own, *right, sameAnswer))
+            && own->fits(own->meeting.sum()) && leaveAlike(*own, *right, sameAnswer))
             found.front().message +=
                 QLatin1Char(' ')
                 + ConditionText::tr("In your own scene the first hit comes out right.");

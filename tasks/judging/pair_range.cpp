@@ -46,7 +46,7 @@ bool PairRange::fliesAlike() const
     preset.circles[0].body = {
         {-1.7, 0.9}, {0.6 * speed, 0.2 * speed}, asked.radii.low, asked.densities.high};
     preset.circles[1].body = {
-        {1.8, -0.7}, {0.3 * speed, -0.5 * speed}, asked.radii.high, asked.densities.low};
+        {1.8, -0.1}, {0.3 * speed, -0.5 * speed}, asked.radii.high, asked.densities.low};
     Probe probe(m_program, {preset, true});
     const std::vector<Circle> before = probe.world().circles;
     // What stops the program is told as that.
@@ -233,10 +233,11 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     const Circle &now1 = probe.circle(0);
     const Circle &now2 = probe.circle(1);
     if (!turned(now1.velocity, free1.velocity) && !turned(now2.velocity, free2.velocity)) {
-        if (!hit.held
-            && (length(now1.position - free1.position) > 1e-7
-                || length(now2.position - free2.position) > 1e-7)) {
-            hit.held = true;
+        if (hit.isHeld())
+            return;
+        hit.moved1 = length(now1.position - free1.position) > 1e-7;
+        hit.moved2 = length(now2.position - free2.position) > 1e-7;
+        if (hit.isHeld()) {
             hit.step = k;
             noteLeap(hit, 0, before[0].position, free1.position, now1);
             noteLeap(hit, 1, before[1].position, free2.position, now2);

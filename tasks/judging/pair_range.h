@@ -39,6 +39,10 @@ public:
     /// coming, of all sizes that the step asks about.
     [[nodiscard]] std::vector<PairHit> varied(double restitution) const;
 
+    /// Far from each other, where the sum of their places is less than \p radius, m: that they are
+    /// answered in the first step; nothing if they are not, or elsewhere, too.
+    [[nodiscard]] std::optional<PairHit> opposite(double radius) const;
+
     /// As many, in so short steps that the answers can be read exactly; half of them are fast, and
     /// one in three has another e.
     [[nodiscard]] std::vector<PairHit> answers() const;
@@ -66,6 +70,8 @@ public:
     [[nodiscard]] std::optional<LaterHit> later(double radius, double density, double e) const;
 
 private:
+    /// The first step of two that are far from each other.
+    [[nodiscard]] PairHit afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) const;
     /// Whether circles of other sizes, and with another e, fly like those, too.
     [[nodiscard]] bool fliesAlike() const;
     /// Lets them meet in the midst of a run. \return false if that comes to nothing

@@ -93,7 +93,7 @@ std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             break;
-        hit.answered = hit.held = false;
+        hit.answered = hit.moved1 = hit.moved2 = false;
         note(hit, before, probe, flights, k);
         if (first == 0 && hit.isMet())
             first = k;
@@ -136,7 +136,7 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             break;
-        hit.answered = hit.held = false;
+        hit.answered = hit.moved1 = hit.moved2 = false;
         note(hit, before, probe, flights, k);
         const bool is = hit.answered && length(hit.push1()) > 0.1 && length(hit.push2()) > 0.1;
         if (is && !was && first)

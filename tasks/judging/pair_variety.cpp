@@ -112,6 +112,34 @@ std::vector<PairHit> PairRange::varied(double restitution) const
     return hits;
 }
 
+PairHit PairRange::afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) const
+{
+    PairHit hit{.slowness = slowness(m_h)};
+    hit.stage = {m_ground.stage(), true};
+    std::vector<PresetCircle> &circles = hit.stage.preset.circles;
+    circles[0].body = {place, hit.slowness * velocity, radius};
+    circles[1].body = {other, -hit.slowness * velocity, radius};
+    Probe probe(m_program, hit.stage);
+    const std::vector<Circle> before = probe.world().circles;
+    if (probe.runs() && probe.step())
+        note(hit, before, probe, m_flight.at({}, m_h), 1);
+    return hit;
+}
+
+std::optional<PairHit> PairRange::opposite(double radius) const
+{
+    constexpr Vec2 place{-1.41, 0.83};
+    constexpr Vec2 velocity{0.5, 0.3};
+    const Vec2 other = 0.5 * radius * normalized(velocity) - place;
+    // Whichever way is taken for their coming nearer.
+    for (const Vec2 v : {velocity, -velocity}) {
+        const PairHit hit = afar(place, v, other, radius);
+        if (hit.answered && !afar(place, v, perpendicular(place), radius).answered)
+            return hit;
+    }
+    return std::nullopt;
+}
+
 std::vector<PairHit> PairRange::answers() const
 {
     const Ground::Pair &asked = m_ground.pair;

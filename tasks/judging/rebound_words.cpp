@@ -91,8 +91,9 @@ private:
     void add(const QString &headline, const QString &why = {})
     {
         const PairHit &hit = m_own.rebounds[m_shown];
-        const QString what = ReboundText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
-                             + describeHit(hit, m_right.rebounds[m_shown]);
+        const QString what =
+            ReboundText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
+            + describeHit(hit, m_right.rebounds[m_shown], !m_reading.deviations.empty());
         m_reading.deviations.push_back(responseDeviation(
             headline, why.isEmpty() ? what : what + QLatin1Char(' ') + why, hit, Suspect::Formula));
         m_reading.deviations.back().topic = Topic::Restitution;

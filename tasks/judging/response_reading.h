@@ -22,7 +22,9 @@ struct ResponseText {
 [[nodiscard]] PairVelocities rightFor(const PairVelocities &in, const PairHit &right);
 
 /// What came, what left, and what is right, in words.
-[[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right);
+/// \param alongAlone  of the parts across another finding tells
+[[nodiscard]] QString describeHit(const PairHit &hit, const PairHit &right,
+                                  bool alongAlone = false);
 
 /// Of exponents, and of ratios of masses.
 inline constexpr double ratioBlur = 0.01;

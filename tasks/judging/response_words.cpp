@@ -166,7 +166,7 @@ LawDeviation responseDeviation(const QString &headline, const QString &body, con
             suspect};
 }
 
-QString describeHit(const PairHit &hit, const PairHit &right)
+QString describeHit(const PairHit &hit, const PairHit &right, bool alongAlone)
 {
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
@@ -193,13 +193,13 @@ QString describeHit(const PairHit &hit, const PairHit &right)
         return text.arg(parts[0], parts[1], parts[2], parts[3], parts[4], parts[5]);
     };
     QStringList sentences;
-    if (!isRight(along) || isRight(across))
+    if (alongAlone || !isRight(along) || isRight(across))
         sentences.append(
             said(ResponseText::tr(
                      "Along the line of centres, from 1 to 2, circle 1 came with %1 m/s and "
                      "circle 2 with %2 m/s; they left with %3 and %4; %5 and %6 are right."),
                  along));
-    if (!isRight(across))
+    if (!alongAlone && !isRight(across))
         sentences.append(said(
             ResponseText::tr("Across the line of centres circle 1 came with %1 m/s and circle 2 "
                              "with %2 m/s; they left with %3 and %4; %5 and %6 are right."),

@@ -238,7 +238,7 @@ private:
                  WallText::tr("Heights go with e², speeds with e.")},
                 {[](double e) { return std::sqrt(e); }, true,
                  WallText::tr("At the %walls the root of e acts on %who"),
-                 WallText::tr("Heights go with e², speeds with e.")},
+                 WallText::tr("What comes back of the speed is e times it, not √e times.")},
                 {[](double) { return 0.0; }, false,
                  WallText::tr("Hits at the %walls take the part of %who along the normal away"),
                  WallText::tr("Of the part along the normal nothing comes back.")},
