@@ -22,6 +22,7 @@ private slots:
     void versionsComeBackAsTheyWere();
     void passesAreReadFromTheStory();
     void signsAsGitDoes();
+    void signsWithANameOfGitAlone();
     void signsWithAnyName_data();
     void signsWithAnyName();
     void hostileMessagesAreText();
@@ -131,6 +132,23 @@ void TestHistory::signsAsGitDoes()
     QVERIFY(!history->commit(QStringLiteral("one\n"), student));
     QCOMPARE(git(QStringLiteral("log --format=%an<%ae>")),
              QStringLiteral("Grace<grace@example.org>"));
+}
+
+/// Git's settings may have a name and no address; an empty one is none.
+void TestHistory::signsWithANameOfGitAlone()
+{
+    const auto history = opened();
+    git(QStringLiteral("config user.name Grace"));
+    QVERIFY(!history->commit(QStringLiteral("one\n"), student));
+    QCOMPARE(git(QStringLiteral("log --format=%an<%ae>")),
+             QStringLiteral("Grace<student@localhost>"));
+    QCOMPARE(QProcess::execute(QStringLiteral("git"),
+                               {QStringLiteral("-C"), path("w"), QStringLiteral("config"),
+                                QStringLiteral("user.name"), QString()}),
+             0);
+    QVERIFY(history->gitName().isEmpty());
+    QVERIFY(!history->commit(QStringLiteral("two\n"), student));
+    QCOMPARE(git(QStringLiteral("log -1 --format=%an")), student);
 }
 
 void TestHistory::signsWithAnyName_data()

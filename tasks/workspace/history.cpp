@@ -78,20 +78,26 @@ QByteArray versionsRef(const QString &taskId)
     return versionsFolder + taskId.toUtf8();
 }
 
+QString History::Parts::userName() const
+{
+    const auto config = makeGit<GitConfig>(git_repository_config_snapshot, repository.get());
+    const char *name = nullptr;
+    return config && git_config_get_string(&name, config.get(), "user.name") == 0
+               ? QString::fromUtf8(name)
+               : QString();
+}
+
 GitSignature History::Parts::signature(const QString &author) const
 {
     if (auto own = makeGit<GitSignature>(git_signature_default, repository.get()))
         return own;
-    const auto config = makeGit<GitConfig>(git_repository_config_snapshot, repository.get());
-    const char *name = nullptr;
-    if (config && git_config_get_string(&name, config.get(), "user.name") != 0)
-        name = nullptr;
+    const QString known = userName();
     // Git refuses some letters in names, and an empty one.
-    QByteArray signing = name ? QByteArray(name) : author.simplified().toUtf8();
+    QByteArray signing = (known.isEmpty() ? author.simplified() : known).toUtf8();
     signing.replace('<', "").replace('>', "");
-    if (auto known =
+    if (auto made =
             makeGit<GitSignature>(git_signature_now, signing.constData(), "student@localhost"))
-        return known;
+        return made;
     return makeGit<GitSignature>(git_signature_now, "Student", "student@localhost");
 }
 
@@ -203,12 +209,7 @@ bool History::isEmpty() const
 
 QString History::gitName() const
 {
-    const auto config =
-        makeGit<GitConfig>(git_repository_config_snapshot, m_parts->repository.get());
-    const char *name = nullptr;
-    return config && git_config_get_string(&name, config.get(), "user.name") == 0
-               ? QString::fromUtf8(name)
-               : QString();
+    return m_parts->userName();
 }
 
 std::optional<Error> History::commit(const QString &message, const QString &author,

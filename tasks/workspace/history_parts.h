@@ -14,6 +14,8 @@ struct History::Parts {
     GitRepository repository{};
 
     [[nodiscard]] Error fault() const { return gitError(folder); }
+    /// By git's settings; empty if they have none.
+    [[nodiscard]] QString userName() const;
     /// Who signs: git's settings, else \p author, else "Student".
     [[nodiscard]] GitSignature signature(const QString &author) const;
     /// The commit that a reference leads to; null if there is none.
