@@ -986,3 +986,182 @@ local a = [[
 ]] local b
 --== local names 10
 function (a
+--== calls without arguments
+for _, name in ipairs({'assert', 'ipairs', 'pairs', 'pcall', 'print', 'select', 'tonumber', 'tostring', 'type', 'plot', 'vec'}) do
+  local f = ({assert = assert, ipairs = ipairs, pairs = pairs, pcall = pcall, print = print, select = select, tonumber = tonumber, tostring = tostring, type = type, plot = plot, vec = vec})[name]
+  if f then print(name, pcall(f)) end
+end
+--== calls of the libraries without arguments
+for _, library in ipairs({string, table, math, draw}) do
+  for name, f in pairs(library) do
+    if type(f) == 'function' and name ~= 'random' then print(name, pcall(f)) end
+  end
+end
+--== calls with nothing of use
+for _, library in ipairs({table, draw}) do
+  for name, f in pairs(library) do
+    if type(f) == 'function' then print(name, pcall(f, {}, true, {})) end
+  end
+end
+--== work of tonumber
+function on_update(dt)
+  for i = 1, 300 do local n = tonumber(('1234567'):sub(1, i % 7 + 1)) end
+  local text = '12345678'
+  for i = 1, 9 do text = text .. text tonumber(text) tonumber(text) tonumber(text) end
+end
+--== work of tonumber of values
+function on_update(dt)
+  for i = 1, 300 do tonumber(i) tonumber('z', 36) tonumber(nil) end
+end
+--== work of select
+function on_update(dt)
+  local t = {}
+  for i = 1, 240 do t[i] = i end
+  for i = 1, 240, 17 do select(i, table.unpack(t)) end
+  select('#', table.unpack(t))
+  select(-1, 1, 2, 3)
+end
+--== work of insert and remove
+function on_update(dt)
+  local t = {}
+  for i = 1, 100 do table.insert(t, 1, i) end
+  for i = 1, 100 do table.insert(t, i) end
+  for i = 1, 50 do table.insert(t, 50, i) table.remove(t, 3) end
+  for i = 1, 60 do table.remove(t, 1) end
+  for i = 1, 60 do table.remove(t) end
+  print(#t, t[1], t[#t])
+end
+--== work of insert at odd places
+function on_update(dt)
+  local t = {1, 2, 3}
+  print(pcall(table.insert, t, 0, 1), pcall(table.insert, t, 5, 1), pcall(table.insert, t, 4, 1))
+  print(pcall(table.remove, t, 0), pcall(table.remove, t, 5), pcall(table.remove, t, -1))
+  print(#t)
+end
+--== work of concat
+function on_update(dt)
+  local t = {}
+  for i = 1, 200 do t[i] = i % 10 end
+  for i = 1, 20 do table.concat(t) end
+  print(#table.concat(t, ', '), table.concat(t, '-', 3, 5), table.concat(t, '', 5, 3))
+  print(pcall(table.concat, {1, {}, 3}))
+end
+--== work of unpack
+function on_update(dt)
+  local t = {1, 2, 3}
+  for i = 1, 30 do local a = table.unpack(t, 1, 100) end
+  print(select('#', table.unpack(t, -5, 5)), select('#', table.unpack(t, 3, 2)), table.unpack(t, 2))
+  print(pcall(table.unpack, t, 1, 1e6), pcall(table.unpack, t, 1, 1 << 62))
+end
+--== work of sort
+function on_update(dt)
+  local t = {}
+  for i = 1, 60 do t[i] = i * 37 % 61 end
+  table.sort(t)
+  print(t[1], t[30], t[60])
+  table.sort(t, function(a, b) return a > b end)
+  print(t[1], t[30], t[60])
+  table.sort({})
+  table.sort({1})
+  print(pcall(table.sort, t, 1), pcall(table.sort), pcall(table.sort, {1, 'x'}))
+end
+--== sort keeps equals in their order
+local t = {}
+for i = 1, 33 do t[i] = {i % 4, i} end
+table.sort(t, function(a, b) return a[1] < b[1] end)
+for i = 1, 33, 3 do print(t[i][1], t[i][2]) end
+--== work of format
+function on_update(dt)
+  for i = 1, 40 do string.format('%d %5.2f %s %%', i, i, i) end
+  for i = 1, 40 do string.format('plain') end
+  print(pcall(string.format, '%'), pcall(string.format, '%y', 1), pcall(string.format, '%-5d|%+d', 1, 2))
+  print(pcall(string.format, '%d', 1.5), pcall(string.format, '%s'), pcall(string.format, '%s %s', {}, print))
+  print(pcall(string.format, '%p', {}), pcall(string.format, '%q', 'a'))
+end
+--== work of pairs
+function on_update(dt)
+  local t = {}
+  for i = 1, 64 do t['k' .. i] = i end
+  for i = 1, 20 do for k, v in pairs(t) do break end end
+  local list = {}
+  for i = 1, 64 do list[i] = i end
+  for i = 1, 20 do for k, v in pairs(list) do break end end
+end
+--== pairs in the order of keys
+local t = {[3] = 'c', [1] = 'a', [2.5] = 'b', x = 1, b = 2, [-1] = 'm', [true] = 't', [false] = 'f'}
+for k, v in pairs(t) do print(k, v) end
+for k, v in pairs({[{}] = 1}) do print(v) end
+--== pairs of two tables as keys
+for k, v in pairs({[{}] = 1, [{}] = 2}) do print(v) end
+--== pairs while it is changed
+local t = {a = 1, b = 2, c = 3}
+for k, v in pairs(t) do t[k] = nil print(k, v) end
+for k, v in pairs(t) do print(k) end
+--== pairs of what is none
+for k, v in pairs(3) do end
+--== ipairs ends at the first hole
+for i, v in ipairs({1, 2, nil, 4}) do print(i, v) end
+for i, c in ipairs(circles) do print(i, c.radius) end
+--== work of caught errors
+function on_update(dt)
+  for i = 1, 30 do pcall(error, 'x') end
+  for i = 1, 30 do pcall(function() local a = nil; a.b = 1 end) end
+  for i = 1, 5 do pcall(function() return nothing + i end) end
+end
+--== work of long texts
+function on_update(dt)
+  local text = ('abcdefgh')
+  for i = 1, 8 do text = text .. text end
+  for i = 1, 50 do local c = text .. i end
+  for i = 1, 50 do local c = text:upper() == text:lower() end
+  for i = 1, 50 do local c = text:sub(2, -2) end
+  print(#text)
+end
+--== work of tables that grow
+function on_update(dt)
+  for n = 1, 6 do
+    local t = {}
+    for i = 1, 4 ^ n do t[i] = i end
+    for i = 1, 4 ^ n do t['x' .. i] = i end
+  end
+end
+--== work of deep calls
+local function down(n) if n > 0 then return 1 + down(n - 1) end return 0 end
+function on_update(dt) print(down(10), down(1000), down(15000)) end
+--== work of calls too deep
+local function down(n) return 1 + down(n + 1) end
+function on_update(dt) down(1) end
+--== nested too deeply
+local x = ((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((1))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))
+--== work of new fields
+function on_update(dt)
+  for i = 1, 20 do circle1['f' .. i] = i end
+  print(circle1.f1, circle1.f20)
+end
+--== too many fields
+for i = 1, 101 do circle1['f' .. i] = i end
+--== as many fields as there may be
+for i = 1, 100 do circle1['f' .. i] = i end
+print(circle1.f100)
+--== work of names that are not known
+function on_update(dt)
+  pcall(function() return velocitty + 1 end)
+  pcall(function() return circle1.velocitty + 1 end)
+  pcall(function() return circle1.a_name_that_is_longer_than_any_that_is_compared_with_others_and_more + 1 end)
+  pcall(function() circle1.velocity.z = 1 end)
+  print(pcall(function() circle9.velocity = 1 end))
+end
+--== tostring of everything
+print(tostring(nil), tostring(1 / 0), tostring(-0.0), tostring(vec(1, -2)), tostring(circle1), tostring(circles), tostring(2 ^ 53), tostring(print), tostring({}))
+print(type(nil), type(vec(1, 2)), type(circle1), type(circles), type(print), type(draw), type(1), type('x'))
+--== vectors
+local a, b = vec(3, 4), vec(1, -2)
+print(a + b, a - b, -a, a * 2, 2 * a, a / 2, a == vec(3, 4), a == b, a:length(), a:length_squared(), a:dot(b), vec(0, -2):normalized())
+print(pcall(function() return a * b end), pcall(function() return a + 1 end), pcall(function() return a / a end), pcall(function() return a < b end))
+print(pcall(function() return a.z end), pcall(function() return a[1] end), pcall(function() return a:cross(b) end), #tostring(a), a.x, a.y)
+print(pcall(vec), pcall(vec, 1), pcall(vec, 'x', 1), pcall(vec, 1, 2, 3), pcall(function() a.x = 'y' end))
+--== the world
+print(gravity, restitution, #circles, circles[1] == circle1, circles[3], square)
+print(pcall(function() gravity = 3 end), pcall(function() gravity = vec(0, 0 / 0) end), pcall(function() restitution = 2 end), pcall(function() restitution = -1 end))
+print(pcall(function() circles[1] = nil end), pcall(function() circle1 = nil end), pcall(function() circles.x = 1 end), pcall(function() return circles.x end))
+print(square.left, square.right, square.top, square.bottom, square.width)
