@@ -137,6 +137,18 @@ void TestFindings::oneFaultIsToldOnce_data()
             f.integrate = lab("c.velocity = c.velocity + vec(gravity.y, gravity.y) * h "
                               "c.position = c.position + c.velocity * h");
         });
+    // The start is right, and what is known of a wrong one does not fit.
+    for (const char *step : {"L42T8", "L42T17"})
+        row(step, "gravity of before the start",
+            "The fall of both circles is not that of the gravity in the scene", [](OtherForm &f) {
+                f.start = lab("pull = gravity ") + f.start;
+                f.integrate.replace(lab("gravity"), lab("pull"));
+            });
+    row("L42T15", "mass of before the start",
+        "The masses in your own scene are not those of its circles", [](OtherForm &f) {
+            f.start = lab("cube = circle2.radius ^ 3 ") + f.start;
+            f.mass = lab("c.density * (c.index == 2 and cube or c.radius ^ 3)");
+        });
 }
 
 void TestFindings::oneFaultIsToldOnce()

@@ -24,6 +24,29 @@ bool sameStart(const Preset &a, const Preset &b)
                [](const PresetCircle &p, const PresetCircle &q) { return p.body == q.body; });
 }
 
+/// Whether what a mistake makes otherwise at the start than \p right is so in \p own, too: what is
+/// said of it is said of that start.
+bool startsLike(const Preset &own, const Preset &mistake, const Preset &right)
+{
+    const auto fits = [](const auto &ours, const auto &known, const auto &asked) {
+        return known == asked || ours == known;
+    };
+    if (!fits(own.gravity, mistake.gravity, right.gravity)
+        || !fits(own.restitution, mistake.restitution, right.restitution))
+        return false;
+    const std::size_t count =
+        std::min({own.circles.size(), mistake.circles.size(), right.circles.size()});
+    for (std::size_t i = 0; i < count; ++i) {
+        const Circle &ours = own.circles[i].body;
+        const Circle &known = mistake.circles[i].body;
+        const Circle &asked = right.circles[i].body;
+        if (!fits(ours.radius, known.radius, asked.radius)
+            || !fits(ours.density, known.density, asked.density))
+            return false;
+    }
+    return true;
+}
+
 /// The circles after the step in which the deviation shows.
 std::vector<Circle> after(const QString *program, const Moment &moment)
 {
@@ -80,6 +103,8 @@ bool explains(const MistakeQuery &query, std::size_t i)
     // What the mistake does rightly it cannot explain.
     return isSame(known, query.own, query.aspect, ground)
            && !isSame(known, query.known.right(), query.aspect, ground)
+           && startsLike(query.own.flight().own().scene, known.flight().own().scene,
+                         query.known.right().flight().own().scene)
            && !deviatesBefore(query, known);
 }
 
