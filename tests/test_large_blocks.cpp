@@ -4,8 +4,10 @@
 
 #include <QTest>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 using namespace cradle;
@@ -16,6 +18,7 @@ class TestLargeBlocks : public QObject
 private slots:
     void blocksKeepWhatIsInThem();
     void leftBlocksGoWithTheirOwner();
+    void whatIsNotToBeHadIsNotTaken();
 };
 
 /// Taken, moved to larger places and given back from the middle and from both ends.
@@ -55,6 +58,22 @@ void TestLargeBlocks::leftBlocksGoWithTheirOwner()
     QVERIFY(blocks.take(3000));
     blocks.giveBack(first);
     QVERIFY(blocks.take(100'000));
+}
+
+/// And the block stays where it is.
+void TestLargeBlocks::whatIsNotToBeHadIsNotTaken()
+{
+#if defined(CRADLE_SANITIZED)
+    QSKIP("a sanitizer ends the program there");
+#endif
+    constexpr std::size_t tooMuch = std::numeric_limits<std::ptrdiff_t>::max() / 2;
+    LargeBlocks blocks;
+    QVERIFY(!blocks.take(tooMuch));
+    auto *block = static_cast<unsigned char *>(blocks.take(1000));
+    block[999] = 7;
+    QVERIFY(!blocks.resize(block, tooMuch));
+    QCOMPARE(int(block[999]), 7);
+    blocks.giveBack(block);
 }
 
 QTEST_APPLESS_MAIN(TestLargeBlocks)

@@ -38,6 +38,7 @@ void TestLocalNames::namesAreFoundWithTheirBlocks_data()
         "z:1-1 a:2-3");
     row("texts and comments", "local a = 'local b' --[[\nlocal c ]] local d\n", "a:1-2* d:2-2*");
     row("a text of many lines", "local a = [[\n\n]] local b", "a:1-3* b:3-3*");
+    row("a block alone", "do\n local a\nend\nlocal b", "a:2-3 b:4-4*");
     row("ends too many", "end end local a", "a:1-1*");
     row("blocks without an end", "if x then local a", "a:1-1");
     row("torn", "local function", "");

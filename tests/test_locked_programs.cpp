@@ -23,6 +23,7 @@ private slots:
     void changeStopsTheProgram();
     void otherProgramsRun_data();
     void otherProgramsRun();
+    void massLeavesTheRestFree();
     void sceneOfACheckKeepsItsValues();
     void checkTellsTheLine();
     void verifyTellsTheLine();
@@ -78,6 +79,7 @@ void TestLockedPrograms::otherProgramsRun_data()
     QTest::addColumn<QString>("program");
     QTest::newRow("the same value") << lua("gravity = vec(0, -9.81) circle1.radius = 0.2");
     QTest::newRow("another circle") << lua("circle2.velocity = vec(1, 0) circle2.radius = 0.3");
+    QTest::newRow("what fixes no mass") << lua("circle2.density = 3 circle2.position = vec(1, 1)");
     QTest::newRow("moved in the update") << lua("function on_update(dt) circle1.position = "
                                                 "circle1.position + circle1.velocity * dt end");
     QTest::newRow("a field of its own") << lua("circle1.mass = 5");
@@ -92,6 +94,15 @@ void TestLockedPrograms::otherProgramsRun()
          .quiet = true,
          .locked = {QStringLiteral("gravity"), QStringLiteral("circles/1/position"),
                     QStringLiteral("circles/1/velocity"), QStringLiteral("circles/1/mass")}});
+    QVERIFY2(!run.error, run.say());
+}
+
+/// A mass is changed by radius and density alone.
+void TestLockedPrograms::massLeavesTheRestFree()
+{
+    const ScriptRun run =
+        runScript(lua("circle1.position = vec(1, 1) circle1.velocity = vec(1, 0)"), 3,
+                  {.locked = {QStringLiteral("circles/1/mass")}});
     QVERIFY2(!run.error, run.say());
 }
 

@@ -17,6 +17,7 @@ class TestLocks : public QObject
 private slots:
     void everyFieldTellsItsOwnChange_data();
     void everyFieldTellsItsOwnChange();
+    void circlesThatThereAreNotAreAlike();
     void namesAreThoseOfTheFields();
     void checkRefusesAChangedLock();
     void readerRefusesAFieldThatThereIsNot();
@@ -96,8 +97,23 @@ void TestLocks::everyFieldTellsItsOwnChange()
     change(changed);
     for (const QString &field : lockableFields(original)) {
         QCOMPARE(firstChangedLock(original, changed, {field}).has_value(), fields.contains(field));
+        QCOMPARE(firstChangedLock(changed, original, {field}).has_value(), fields.contains(field));
     }
     QCOMPARE(firstChangedLock(original, original, lockableFields(original)), std::nullopt);
+}
+
+/// What neither scene has is alike in both, and of many circles ten are offered.
+void TestLocks::circlesThatThereAreNotAreAlike()
+{
+    Preset many = scene();
+    const Preset two = scene();
+    for (const char *field : {"circles/3/position", "circles/4/mass", "circles/0/mass"})
+        QCOMPARE(firstChangedLock(two, two, {QLatin1String(field)}), std::nullopt);
+    many.circles.resize(12, many.circles.front());
+    const QStringList fields = lockableFields(many);
+    QVERIFY(fields.contains(QStringLiteral("circles/10/mass")));
+    QVERIFY(!fields.contains(QStringLiteral("circles/11/mass")));
+    QVERIFY(!lockableFields(two).contains(QStringLiteral("circles/3/mass")));
 }
 
 void TestLocks::namesAreThoseOfTheFields()
