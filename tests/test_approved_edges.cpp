@@ -6,8 +6,10 @@
 #include "model/files/unit.h"
 #include "tasks/authoring/json_patch.h"
 #include "tasks/checks/check_kinds.h"
+#include "tasks/judging/asked_laws.h"
 #include "tasks/lab_files/lab_files.h"
 #include "tasks/questions/question_json.h"
+#include "tasks/reading/lab_reader.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -16,7 +18,7 @@
 using namespace cradle;
 
 /// What is on either side of what is allowed, in tables: units, paths, questions, parameters of
-/// checks and patches of JSON: tests/approved/edges.
+/// checks, patches of JSON and what checks ask for: tests/approved/edges.
 class TestApprovedEdges : public QObject
 {
     Q_OBJECT
@@ -26,6 +28,7 @@ private slots:
     void questionsAreAsApproved();
     void kindsAreAsApproved();
     void patchesAreAsApproved();
+    void askedLawsAreAsApproved();
 };
 
 namespace {
@@ -203,6 +206,43 @@ void TestApprovedEdges::patchesAreAsApproved()
         all += QString::fromUtf8(patchJson(texts[2], object(known), object(texts[4]))).trimmed()
                + text("\n--\n");
     compare("patches.txt", all);
+}
+
+/// What the checks of a step say of the right laws: all of them, each alone, and all but each.
+void TestApprovedEdges::askedLawsAreAsApproved()
+{
+    const auto said = [](const Task &task) {
+        const AskedLaws laws = askedLaws(task);
+        QString integrators;
+        for (const PresetCircle &circle : laws.scene.circles)
+            integrators += QString::number(int(circle.integrator)) + u' ';
+        return QStringLiteral("motion %1, walls %2, pair %3, g (%4, %5), laws %6 %7, by %8\n")
+            .arg(laws.motion)
+            .arg(laws.walls)
+            .arg(laws.pair)
+            .arg(laws.scene.gravity.x)
+            .arg(laws.scene.gravity.y)
+            .arg(int(laws.scene.laws.walls))
+            .arg(int(laws.scene.laws.circles))
+            .arg(integrators);
+    };
+    QString all;
+    for (const char *folder : {shippedLab, bouncingBallLab}) {
+        const auto lab = readLab(QLatin1String(folder));
+        QVERIFY(lab.ok());
+        for (const Task &task : lab->tasks) {
+            all += QStringLiteral("%1: %2").arg(task.id, said(task));
+            for (std::size_t i = 0; i < task.checks.size(); ++i) {
+                Task other = task;
+                other.checks = {task.checks[i]};
+                all += QStringLiteral("  %1 alone: %2").arg(task.checks[i].id, said(other));
+                other.checks = task.checks;
+                other.checks.erase(other.checks.begin() + static_cast<std::ptrdiff_t>(i));
+                all += QStringLiteral("  without %1: %2").arg(task.checks[i].id, said(other));
+            }
+        }
+    }
+    compare("asked.txt", all);
 }
 
 QTEST_GUILESS_MAIN(TestApprovedEdges)
