@@ -16,6 +16,8 @@ private slots:
     void takesUtf8();
     void saysWhatElseItIs_data();
     void saysWhatElseItIs();
+    void noughtsTellUtf16_data();
+    void noughtsTellUtf16();
     void tooLongIsNoProgram();
 };
 
@@ -61,6 +63,36 @@ void TestProgramText::saysWhatElseItIs()
     QCOMPARE(text.error().line, line);
     QCOMPARE(text.error().file, QStringLiteral("f.lua"));
     QCOMPARE(convertedProgram(bytes), std::optional(converted));
+}
+
+void TestProgramText::noughtsTellUtf16_data()
+{
+    QTest::addColumn<int>("even"); // noughts at places that are so, of 64 bytes
+    QTest::addColumn<int>("odd");
+    QTest::addColumn<bool>("isUtf16");
+    QTest::newRow("a quarter, odd") << 0 << 16 << false;
+    QTest::newRow("more, odd") << 0 << 17 << true;
+    QTest::newRow("a quarter, even") << 16 << 0 << false;
+    QTest::newRow("more, even") << 17 << 0 << true;
+    QTest::newRow("few among the others") << 1 << 17 << true;
+    QTest::newRow("an eighth among the others") << 2 << 17 << false;
+    QTest::newRow("few among the others, even") << 17 << 1 << true;
+    QTest::newRow("an eighth among the others, even") << 17 << 2 << false;
+    QTest::newRow("both") << 20 << 20 << false;
+}
+
+void TestProgramText::noughtsTellUtf16()
+{
+    QFETCH(int, even);
+    QFETCH(int, odd);
+    QByteArray bytes(64, 'x');
+    for (int i = 0; i < even; ++i)
+        bytes[2 * i] = '\0';
+    for (int i = 0; i < odd; ++i)
+        bytes[2 * i + 1] = '\0';
+    const auto text = programFrom(bytes, QStringLiteral("f.lua"));
+    QVERIFY(!text);
+    QTEST(text.error().message.contains(QLatin1String("UTF-16")), "isUtf16");
 }
 
 void TestProgramText::tooLongIsNoProgram()

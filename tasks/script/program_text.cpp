@@ -85,8 +85,6 @@ std::optional<QString> convertedProgram(const QByteArray &bytes)
     if (const auto encoding = utf16(bytes)) {
         QStringDecoder decode(*encoding);
         text = decode(bytes);
-        if (text.startsWith(QChar(QChar::ByteOrderMark)))
-            text.remove(0, 1);
     } else {
         text = QString::fromLatin1(bytes);
     }

@@ -1165,3 +1165,85 @@ print(gravity, restitution, #circles, circles[1] == circle1, circles[3], square)
 print(pcall(function() gravity = 3 end), pcall(function() gravity = vec(0, 0 / 0) end), pcall(function() restitution = 2 end), pcall(function() restitution = -1 end))
 print(pcall(function() circles[1] = nil end), pcall(function() circle1 = nil end), pcall(function() circles.x = 1 end), pcall(function() return circles.x end))
 print(square.left, square.right, square.top, square.bottom, square.width)
+--== an entry that is local
+x = 1
+local function on_update(dt) end
+--== an entry that is a local value
+local t = {}
+
+  local on_load = function() end
+--== entries beside what is local
+local function on_updates(dt) end
+local other, on_loaded = 1, 2
+function on_update(dt) local time = dt on_update_again = true end
+--== an entry in a text that is local
+local text = 'local function on_update'
+function on_update(dt) print(text) end
+--== labels as long as they may be
+local label = ''
+for i = 1, 100 do label = label .. 'x' end
+plot(label, 1)
+print(pcall(plot, label .. 'x', 1))
+print(pcall(plot, '', 1))
+--== labels of drawings as long as they may be
+local label = ''
+for i = 1, 100 do label = label .. 'x' end
+draw.text(vec(0, 0), label)
+print(pcall(draw.text, vec(0, 0), label .. 'x'))
+draw.arrow(vec(0, 0), vec(1, 0), 'red', label)
+print(pcall(draw.arrow, vec(0, 0), vec(1, 0), 'red', label .. 'x'))
+--== other languages 1
+x = 'a' -- "if x = 1"
+if x = 1 then end
+--== other languages 2
+local a = 1
+local b = a ? 1 : 2
+--== other languages 3
+for (int i = 0; i < 3; i++) {
+}
+--== other languages 4
+function on_update(dt)
+  if circle1.radius > 0 {
+    x = 1
+  }
+end
+--== other languages 5
+local s = "text with = and == in it" x == 3
+--== other languages 6
+function on_update(dt)
+  return 1
+  x = 2
+end
+--== other languages 7
+while true
+  x = 1
+end
+--== other languages 8
+if x then
+  y = 1
+else if z then
+  y = 2
+end
+--== other languages 9
+function f()
+{
+  x = 1
+}
+--== a local of another block
+if true then local inner = 1 end
+print(inner)
+--== a local of another function
+local function f() local inner = 1 return inner end
+function on_update(dt) print(inner + 1) end
+--== a local that stands below
+function on_update(dt) print(below + 1) end
+local below = 1
+--== nearly a local
+local velocity_x = 1
+function on_update(dt)
+  local other_speed = 2
+  print(velocity_y + 1)
+end
+--== nearly a local of elsewhere
+local function f() local other_speed = 2 return other_speed end
+function on_update(dt) print(other_sped + 1) end
