@@ -14,6 +14,7 @@ class TestCheckScript : public QObject
 private slots:
     void whatTheRunOffers_data();
     void whatTheRunOffers();
+    void everyHitIsOffered();
     void verdictIsTaken();
     void mistakeOfTheCheckIsNamed_data();
     void mistakeOfTheCheckIsNamed();
@@ -84,6 +85,33 @@ void TestCheckScript::whatTheRunOffers()
     QVERIFY(verdict.passed);
 }
 
+/// Two that meet, come back from their walls and meet again; one goes up and down beside them.
+void TestCheckScript::everyHitIsOffered()
+{
+    Preset preset;
+    preset.gravity = {};
+    preset.restitution = 1.0;
+    preset.timestep = 0.125;
+    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Exact};
+    preset.circles.resize(3);
+    preset.circles[0].body = {.position = {-2, 0}, .velocity = {1, 0}, .radius = 0.5};
+    preset.circles[1].body = {.position = {2, 0}, .velocity = {-1, 0}, .radius = 0.5};
+    preset.circles[2].body = {.position = {0, 2.5}, .velocity = {0, 1}, .radius = 0.5};
+    const ScriptVerdict verdict = runCheckScript(
+        checkOf(QStringLiteral("local all = {}\n"
+                               "for i, h in ipairs(run:hits()) do\n"
+                               "  all[i] = h.a .. ' ' .. h.kind .. ' ' .. h.b .. ' ' .. "
+                               "tostring(h.normal) .. string.format(' at %.3f', h.time)\n"
+                               "end\n"
+                               "return false, table.concat(all, '; ')")),
+        observe({QStringLiteral("preset"), preset, 9.0}));
+    QVERIFY2(!verdict.error, verdict.error ? qPrintable(verdict.error->message) : "");
+    QCOMPARE(verdict.message,
+             QStringLiteral("3 wall top (0, 1) at 1.000; 1 circle 2 (1, 0) at 1.500; "
+                            "1 wall left (-1, 0) at 4.500; 2 wall right (1, 0) at 4.500; "
+                            "1 circle 2 (1, 0) at 7.500; 3 wall bottom (0, -1) at 8.000"));
+}
+
 void TestCheckScript::verdictIsTaken()
 {
     const ScriptVerdict german = runCheckScript(
@@ -127,6 +155,9 @@ void TestCheckScript::mistakeOfTheCheckIsNamed_data()
     row("return false", 0, "without a message for the student");
     row("return false, 3", 0, "without a message for the student");
     row("local x = 1\nreturn run.timestp > x", 3, "did you mean `timestep`?");
+    const QByteArray longKey = "return run." + QByteArray(70, 'x');
+    const QByteArray shown = "there is no field `" + QByteArray(64, 'x') + "` here";
+    row(longKey.constData(), 2, shown.constData());
     row("return run:at(1).circles[1].centre", 2, "there is no field `centre` here; there are");
     row("return run:at(5)", 2, "a number of seconds from 0 to 4, not the number 5");
     row("return run:at(-1)", 2, "a number of seconds from 0 to 4");
