@@ -1402,3 +1402,10 @@ print(pcall(function() for i = 1, 2, 0 do end end))
 print(pcall(function() for i in 3 do end end))
 print(pcall(function() for i in nil do end end))
 print(pcall(function() goto done ::done:: end))
+--== how much everything gives back
+local function count(...) return select('#', ...) end
+print(count(draw.point(vec(0, 0))), count(draw.line(vec(0, 0), vec(1, 1))), count(draw.arrow(vec(0, 0), vec(1, 1))), count(draw.text(vec(0, 0), 'x')))
+print(count(plot('x', 1)), count(print()), count(print(1)), count(type(1)), count(tostring(1)), count(tonumber('x')), count(pairs({})), count(ipairs({})))
+print(count(vec(1, 2)), count(vec(1, 2):normalized()), count(vec(1, 2):length()), count(vec(1, 2):perpendicular()), count(vec(1, 2):dot(vec(1, 2))))
+print(count(table.insert({}, 1)), count(table.remove({})), count(table.sort({})), count(table.concat({})), count(table.unpack({})))
+print(count(pcall(error)), count(pcall(print, 1)), count(assert(1, 2, 3)), count(select(2, 1, 2, 3)), count(string.format('x')), count(('x'):sub(1)))
