@@ -30,6 +30,9 @@ private slots:
     void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
     void whoMovesWithAHitAloneIsTold();
+    void wrongFallHidesNoWall();
+    void hitOfTheTwoIsNotTakenForAWalls();
+    void partOfAWayIsNoStandingStill();
     void slowHitsAreTold();
     void slowAnswerIsTold();
 
@@ -321,6 +324,62 @@ void TestToldWalls::whoMovesWithAHitAloneIsTold()
     QCOMPARE(n.size(), std::size_t{3});
     QCOMPARE(n[0], 1.0);
     QVERIFY(n[1] != 0.0);
+}
+
+/// Under gravity that acts a whole second in every step no throw comes to its wall.
+void TestToldWalls::wrongFallHidesNoWall()
+{
+    const LawBench bench(task(QLatin1String("L42T3")));
+    const QString program =
+        written({.circles = 1,
+                 .move = QStringLiteral("c.velocity = c.velocity + gravity "
+                                        "c.position = c.position + c.velocity * h"),
+                 .walls = wallsOf(wallWays[0], "0", "1")},
+                structures[0]);
+    const MeasuredLaws own(&program, bench.ground);
+    QVERIFY(!bodyOf(wallDeviations(own.walls(), bench.right.walls(), bench.ground),
+                    QStringLiteral("At the walls the centre of circle 1 is asked for, not the rim"))
+                 .isEmpty());
+}
+
+/// Who exchange their velocities when one of them is at a wall.
+void TestToldWalls::hitOfTheTwoIsNotTakenForAWalls()
+{
+    const QString walls =
+        wallsOf(wallWays[1], "c.radius", "1")
+        + QStringLiteral(" if c.index == 2 or c == circle2 then "
+                         "local d = math.abs(circle1.position.x) + circle1.radius "
+                         "if d >= square.half_width then circle1.velocity, circle2.velocity = "
+                         "circle2.velocity, circle1.velocity end end");
+    const LawBench bench(task(QLatin1String("L42T10")));
+    const QString program = written({.walls = walls}, structures[0]);
+    const MeasuredLaws own(&program, bench.ground);
+    const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
+    const auto at = std::find_if(found.begin(), found.end(), [](const LawDeviation &each) {
+        return each.message.startsWith(QLatin1String("Beside a wall"));
+    });
+    QVERIFY(at != found.end());
+    QCOMPARE(at->family, QLatin1String("of two"));
+}
+
+/// A circle that loses a third of its way is not one that is put back.
+void TestToldWalls::partOfAWayIsNoStandingStill()
+{
+    const LawBench bench(task(QLatin1String("L42T13")));
+    const auto lawOf = [&](double lost) {
+        const QString program =
+            written({.walls = QStringLiteral("local came = c.velocity ")
+                              + wallsOf(wallWays[1], "c.radius", "1")
+                              + QStringLiteral(" if c == circle1 and came ~= c.velocity then "
+                                               "circle2.position = circle2.position - %1 * "
+                                               "circle2.velocity * h end")
+                                    .arg(lost)},
+                    structures[0]);
+        return MeasuredLaws(&program, bench.ground).walls();
+    };
+    QVERIFY(!lawOf(1.0 / 3.0).isLike(lawOf(1.0)));
+    QVERIFY(lawOf(0.9).isLike(lawOf(1.0)));
+    QVERIFY(lawOf(0.05).isLike(lawOf(0.0)));
 }
 
 void TestToldWalls::slowHitsAreTold()

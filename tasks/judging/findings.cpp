@@ -150,13 +150,21 @@ private:
                            [](const LawDeviation &each) { return !each.isMethod; });
     }
 
+    /// Whether what looks like a wall that turns both circles may be a hit of the two.
+    [[nodiscard]] bool isContactWrong() const
+    {
+        return m_deviations.isAsked(Aspect::Contact)
+               && !m_deviations.of(m_own, Aspect::Contact).empty();
+    }
+
     [[nodiscard]] ConditionedAspect withConditions(Aspect aspect) const
     {
         std::vector<LawDeviation> found = m_deviations.of(m_own, aspect);
         // What the own scene shows, other than the measured ones, is seen through its motion.
         std::erase_if(found, [&](const LawDeviation &each) {
             return (m_unchanged && each.moment.circles == std::vector<int>{*m_unchanged})
-                   || (aspect != Aspect::Motion && !each.moment.stage.pinned && isMotionWrong());
+                   || (aspect != Aspect::Motion && !each.moment.stage.pinned && isMotionWrong())
+                   || (each.family == QLatin1String("of two") && isContactWrong());
         });
         // How they fly is not always the same: nor is what comes of it.
         if (!m_motion.deviations.empty() && m_motion.deviations.front().isConditional)

@@ -119,11 +119,17 @@ bool MeasuredWalls::isLike(const MeasuredWalls &other) const
 {
     if (hits.size() != other.hits.size() || drops.size() != other.drops.size())
         return false;
+    // Who stands still for that step is not who loses a part of its way.
+    const auto isOtherAlike = [](const WallHit &a, const WallHit &b) {
+        const Vec2 one = a.otherWas.position - a.otherFree.position;
+        const Vec2 two = b.otherWas.position - b.otherFree.position;
+        return !a.disturbs || length(one - two) <= 0.2 * std::max(length(one), length(two));
+    };
     const auto hitAlike = [&](const WallHit &a, const WallHit &b) {
         if (a.missed || b.missed)
             return a.missed == b.missed;
         if (a.turned != b.turned || a.held != b.held || a.disturbs != b.disturbs
-            || a.isLeap() != b.isLeap())
+            || a.isLeap() != b.isLeap() || !isOtherAlike(a, b))
             return false;
         if (!a.turned)
             return true;

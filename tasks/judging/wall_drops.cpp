@@ -17,7 +17,8 @@ constexpr int stepsOfLob = 8;
 
 bool WallRange::canDrop(int circle) const
 {
-    if (fall() == Vec2{})
+    // Of a fall that is wrong nothing lies on the floor as it should.
+    if (fall() == Vec2{} || m_gravity != m_ground.walls.gravity)
         return false;
     const Flight &f = m_flight.at(fall(), m_usual, circle);
     return f.isKnown && isAlike(f.way.x, 1.0, 0.1) && isAlike(f.way.y, 1.0, 0.1);

@@ -26,7 +26,7 @@ public:
                                      [](const WallHit &hit) { return hit.kicks && hit.missed; });
         if (at == m_own.hits.end())
             return std::nullopt;
-        return deviation(
+        LawDeviation found = deviation(
             WallText::tr("Beside a wall the velocity of both circles changes at once"),
             WallText::tr("When circle %1 was %2 m from the %3 its velocity changed, and in the "
                          "same step that of the other, far from it and from every wall. A wall "
@@ -34,6 +34,9 @@ public:
                 .arg(QString::number(at->circle + 1), brief(at->before),
                      motion::wallName(at->wall)),
             *at, {{at->circle}, {at->wall}}, Suspect::Question);
+        if (isOfTwo(*at))
+            found.family = QStringLiteral("of two");
+        return found;
     }
 
     [[nodiscard]] std::optional<LawDeviation> disturbed() const
@@ -72,6 +75,22 @@ public:
     }
 
 private:
+    /// Whether it may be a hit of the two, near a wall by chance: both rest after it, one has the
+    /// velocity of the other, or both were pushed along the line of centres.
+    [[nodiscard]] bool isOfTwo(const WallHit &hit) const
+    {
+        const auto isSame = [](Vec2 a, Vec2 b) { return length(a - b) < 1e-6; };
+        const Vec2 line = normalized(hit.otherFree.position - hit.landed);
+        const auto isAlong = [&](Vec2 push) {
+            return std::abs(cross(push, line)) < 0.05 * length(push);
+        };
+        const Vec2 was = hit.otherFree.velocity;
+        const Vec2 is = hit.otherWas.velocity;
+        return m_ground.pair.asked
+               && ((hit.left == Vec2{} && is == Vec2{}) || isSame(hit.left, was)
+                   || isSame(is, hit.came) || (isAlong(hit.left - hit.came) && isAlong(is - was)));
+    }
+
     /// Whether the other of two circles, which no step has moved, went on in that of \p hit.
     [[nodiscard]] static bool isMovedOnlyThen(const WallHit &hit)
     {

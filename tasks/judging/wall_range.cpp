@@ -40,10 +40,23 @@ WallRange::WallRange(const QString *program, const Ground &ground, const Measure
                           [&](int circle) { return length(flightOf(circle).acceleration) > 1.0; });
     if (!m_falls)
         return;
+    const auto suits = [&] {
+        return std::all_of(circles.begin(), circles.end(),
+                           [&](int circle) { return isKnown(circle); });
+    };
     m_h = m_usual / finer;
-    const bool suits =
-        std::all_of(circles.begin(), circles.end(), [&](int circle) { return isKnown(circle); });
-    m_h = suits ? m_h : m_usual;
+    if (suits())
+        return;
+    m_h = m_usual;
+    if (suits())
+        return;
+    // A fall that is wrong may hide the walls; without gravity they are seen.
+    m_gravity = {};
+    m_falls = false;
+    if (suits())
+        return;
+    m_gravity = ground.walls.gravity;
+    m_falls = true;
 }
 
 double WallRange::largeRadius() const

@@ -8,7 +8,9 @@ namespace {
 
 constexpr int stepsAfterwards = 6;
 constexpr double farOutside = 1.0; ///< of a centre, m: who is turned there is not let through
-constexpr double outside = 1.3;    ///< of a centre, in radii: all of it is beyond the wall
+/// Of a way: what steps that are parted at a hit lose of it is no disturbance.
+constexpr double smallShare = 0.1;
+constexpr double outside = 1.3; ///< of a centre, in radii: all of it is beyond the wall
 
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
@@ -139,7 +141,8 @@ void WallRange::lookAtOthers(WallHit &hit, const std::vector<Circle> &before,
             hit.otherWas = {now.position, now.velocity};
         }
         hit.kicks |= length(now.velocity - free.velocity) > 1e-6;
-        hit.disturbs |= hit.kicks || length(now.position - free.position) > 1e-6;
+        const double slack = 1e-6 + smallShare * length(free.position - was.position);
+        hit.disturbs |= hit.kicks || length(now.position - free.position) > slack;
     }
 }
 
