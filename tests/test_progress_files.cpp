@@ -4,6 +4,8 @@
 #include "tasks/workspace/progress.h"
 
 #include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 using namespace cradle;
@@ -18,6 +20,8 @@ private slots:
     void movesABrokenFileAside();
     void keepsEveryBrokenFile();
     void keepsAFileThatIsTooLarge();
+    void keepsWhatBreaksMeanwhile();
+    void writesNothingThatIsEmpty();
     void takesNoMoreThanIsRight_data();
     void takesNoMoreThanIsRight();
     void leavesAnImpossibleSceneOut();
@@ -91,6 +95,34 @@ void TestProgressFiles::keepsAFileThatIsTooLarge()
     for (const QFileInfo &file : QDir(m_folder->path()).entryInfoList(QDir::Files))
         kept = kept || file.size() == size;
     QVERIFY(kept);
+}
+
+/// The file was read well, and somebody else has broken it since.
+void TestProgressFiles::keepsWhatBreaksMeanwhile()
+{
+    ProgressStore store(path());
+    QVERIFY(!store.load());
+    store.lab(lab).tasks[QStringLiteral("L42T1")].passed = true;
+    write("broken meanwhile");
+    QVERIFY(!store.save());
+    QCOMPARE(content(path() + QStringLiteral(".unreadable")), QByteArray("broken meanwhile"));
+    ProgressStore again(path());
+    QVERIFY(!again.load());
+    QVERIFY(again.isPassed(lab, QStringLiteral("L42T1")));
+}
+
+void TestProgressFiles::writesNothingThatIsEmpty()
+{
+    ProgressStore store(path());
+    store.lab(lab).tasks[QStringLiteral("L42T1")].hintsOpened = 1;
+    QVERIFY(!store.save());
+    const QJsonObject all = QJsonDocument::fromJson(content(path())).object();
+    const QJsonObject task =
+        all[QStringLiteral("labs")][lab][QStringLiteral("tasks")][QStringLiteral("L42T1")]
+            .toObject();
+    QCOMPARE(task.keys(), (QStringList{QStringLiteral("hints"), QStringLiteral("passed")}));
+    QVERIFY(!store.isPassed(lab, QStringLiteral("L42T1")));
+    QVERIFY(!store.isPassed(lab, QStringLiteral("nowhere")));
 }
 
 void TestProgressFiles::takesNoMoreThanIsRight_data()
