@@ -3434,10 +3434,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>عند ⁨%1⁩ كان مركز الدائرة ⁨%5⁩ على بعد ⁦%2 m⁩ من الجدار قبل تلك الخطوة فوُضع على بعد ⁦%3 m⁩ منه؛ ونصف قطرها ⁦%4 m⁩، فبقيت فجوة. ضعها حيث تكون حافتها عند الجدار، أو أعدها من حيث جاءت.</translation>
     </message>
     <message>
-        <source>A hit of one circle at a wall also changes the way of the other</source>
-        <translation>تصادم إحدى الدائرتين بجدار يغيّر طريق الأخرى أيضًا</translation>
-    </message>
-    <message>
         <source>In the step in which circle %1 was answered by the %2, the other circle, far from every wall, did not go on freely: its place is %3 m and its velocity %4 m/s off. A wall acts on the circle that touches it, and on no other.</source>
         <translation>في الخطوة التي وقع فيها تصادم الدائرة ⁨%1⁩ مع ⁨%2⁩ لم تمض الدائرة الأخرى، البعيدة عن كل جدار، حرّة: موضعها بعيد بمقدار ⁦%3 m⁩ وسرعتها بمقدار ⁦%4 m/s⁩ عمّا ينبغي. الجدار يؤثر في الدائرة التي تلمسه ولا يؤثر في غيرها.</translation>
     </message>
@@ -4713,6 +4709,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>What comes back of the speed is e times it, not √e times.</source>
         <translation>يعود من السرعة ⁦e⁩ مرة، لا ⁦√e⁩ مرة.</translation>
+    </message>
+    <message>
+        <source>As one circle hit a wall the way of the other changed</source>
+        <translation>حين اصطدمت دائرة بجدار تغيّر طريق الأخرى</translation>
     </message>
 </context>
 <context>

@@ -3410,10 +3410,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>An %1 war der Mittelpunkt von Kreis %5 vor diesem Schritt %2 m von der Wand entfernt und wurde auf %3 m gesetzt; der Radius ist %4 m, also bleibt eine Lücke. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
     </message>
     <message>
-        <source>A hit of one circle at a wall also changes the way of the other</source>
-        <translation>Ein Stoß des einen Kreises an einer Wand ändert auch den Weg des anderen</translation>
-    </message>
-    <message>
         <source>In the step in which circle %1 was answered by the %2, the other circle, far from every wall, did not go on freely: its place is %3 m and its velocity %4 m/s off. A wall acts on the circle that touches it, and on no other.</source>
         <translation>In dem Schritt, in dem Kreis %1 an %2 ankam, lief der andere Kreis, weit von jeder Wand, nicht frei weiter: Sein Ort liegt um %3 m und seine Geschwindigkeit um %4 m/s daneben. Eine Wand wirkt auf den Kreis, der sie berührt, und auf keinen anderen.</translation>
     </message>
@@ -4661,6 +4657,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>What comes back of the speed is e times it, not √e times.</source>
         <translation>Von der Geschwindigkeit kommt das e-fache zurück, nicht das √e-fache.</translation>
+    </message>
+    <message>
+        <source>As one circle hit a wall the way of the other changed</source>
+        <translation>Als ein Kreis eine Wand traf, änderte sich der Weg des anderen</translation>
     </message>
 </context>
 <context>

@@ -3410,10 +3410,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Contre %1, le centre du cercle %5 était à %2 m de la paroi avant ce pas et a été placé à %3 m d&apos;elle&#xa0;; son rayon est de %4 m, il y a donc un vide. Placez-le là où son bord touche la paroi, ou là d&apos;où il venait.</translation>
     </message>
     <message>
-        <source>A hit of one circle at a wall also changes the way of the other</source>
-        <translation>Un choc d&apos;un cercle contre une paroi change aussi le chemin de l&apos;autre</translation>
-    </message>
-    <message>
         <source>In the step in which circle %1 was answered by the %2, the other circle, far from every wall, did not go on freely: its place is %3 m and its velocity %4 m/s off. A wall acts on the circle that touches it, and on no other.</source>
         <translation>Dans le pas où le cercle %1 a réagi contre %2, l&apos;autre cercle, loin de toute paroi, n&apos;a pas continué librement&#xa0;: sa position est décalée de %3 m et sa vitesse de %4 m/s. Une paroi agit sur le cercle qui la touche, et sur aucun autre.</translation>
     </message>
@@ -4661,6 +4657,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>What comes back of the speed is e times it, not √e times.</source>
         <translation>De la vitesse revient e fois, et non √e fois.</translation>
+    </message>
+    <message>
+        <source>As one circle hit a wall the way of the other changed</source>
+        <translation>Quand un cercle a touché une paroi, le chemin de l&apos;autre a changé</translation>
     </message>
 </context>
 <context>

@@ -63,7 +63,7 @@ public:
                 *at, {{at->circle}, {at->wall}}, Suspect::Question, true);
         }
         return deviation(
-            WallText::tr("A hit of one circle at a wall also changes the way of the other"),
+            WallText::tr("As one circle hit a wall the way of the other changed"),
             WallText::tr("In the step in which circle %1 was answered by the %2, the other circle, "
                          "far from every wall, did not go on freely: its place is %3 m and its "
                          "velocity %4 m/s off. A wall acts on the circle that touches it, and on "
