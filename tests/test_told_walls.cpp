@@ -25,14 +25,10 @@ private slots:
     void openWallsAreTold();
     void placeOfAnotherIsTold();
     void hitsWithoutGravityAreTold();
-    void gravityInHitsAloneIsNoFaultOfTheWalls();
     void startOfTheRunIsTold();
     void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
     void whoMovesWithAHitAloneIsTold();
-    void wrongFallHidesNoWall();
-    void hitOfTheTwoIsNotTakenForAWalls();
-    void partOfAWayIsNoStandingStill();
     void slowHitsAreTold();
     void slowAnswerIsTold();
 
@@ -252,23 +248,6 @@ void TestToldWalls::hitsWithoutGravityAreTold()
 }
 
 /// The old place is kept once and never again.
-/// In the other steps it is missing: that is said of the motion.
-void TestToldWalls::gravityInHitsAloneIsNoFaultOfTheWalls()
-{
-    for (const WallWay &each : {wallWays[0], wallWays[1]}) {
-        const LawProgram program{.move = QStringLiteral("c.position = c.position + c.velocity * h"),
-                                 .walls =
-                                     QStringLiteral("local v = c.velocity ") + wallsOf(each)
-                                     + QStringLiteral(" if (c.velocity - v):length() > 0 then "
-                                                      "c.velocity = c.velocity + gravity * h end")};
-        const LawBench bench(task(QStringLiteral("L42T3")));
-        const QString text = written(program, structures[0]);
-        const MeasuredLaws own(&text, bench.ground);
-        const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
-        QVERIFY2(found.empty(), qPrintable(found.empty() ? QString() : found.front().message));
-    }
-}
-
 void TestToldWalls::startOfTheRunIsTold()
 {
     const LawBench bench(task(text("L42T2")));
@@ -310,7 +289,6 @@ void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
                  .isEmpty());
 }
 
-/// Slower than half of the distance from the middle they go on.
 /// A step ends with circle 1, but where a wall turns that.
 void TestToldWalls::whoMovesWithAHitAloneIsTold()
 {
@@ -324,62 +302,6 @@ void TestToldWalls::whoMovesWithAHitAloneIsTold()
     QCOMPARE(n.size(), std::size_t{3});
     QCOMPARE(n[0], 1.0);
     QVERIFY(n[1] != 0.0);
-}
-
-/// Under gravity that acts a whole second in every step no throw comes to its wall.
-void TestToldWalls::wrongFallHidesNoWall()
-{
-    const LawBench bench(task(QLatin1String("L42T3")));
-    const QString program =
-        written({.circles = 1,
-                 .move = QStringLiteral("c.velocity = c.velocity + gravity "
-                                        "c.position = c.position + c.velocity * h"),
-                 .walls = wallsOf(wallWays[0], "0", "1")},
-                structures[0]);
-    const MeasuredLaws own(&program, bench.ground);
-    QVERIFY(!bodyOf(wallDeviations(own.walls(), bench.right.walls(), bench.ground),
-                    QStringLiteral("At the walls the centre of circle 1 is asked for, not the rim"))
-                 .isEmpty());
-}
-
-/// Who exchange their velocities when one of them is at a wall.
-void TestToldWalls::hitOfTheTwoIsNotTakenForAWalls()
-{
-    const QString walls =
-        wallsOf(wallWays[1], "c.radius", "1")
-        + QStringLiteral(" if c.index == 2 or c == circle2 then "
-                         "local d = math.abs(circle1.position.x) + circle1.radius "
-                         "if d >= square.half_width then circle1.velocity, circle2.velocity = "
-                         "circle2.velocity, circle1.velocity end end");
-    const LawBench bench(task(QLatin1String("L42T10")));
-    const QString program = written({.walls = walls}, structures[0]);
-    const MeasuredLaws own(&program, bench.ground);
-    const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
-    const auto at = std::find_if(found.begin(), found.end(), [](const LawDeviation &each) {
-        return each.message.startsWith(QLatin1String("Beside a wall"));
-    });
-    QVERIFY(at != found.end());
-    QCOMPARE(at->family, QLatin1String("of two"));
-}
-
-/// A circle that loses a third of its way is not one that is put back.
-void TestToldWalls::partOfAWayIsNoStandingStill()
-{
-    const LawBench bench(task(QLatin1String("L42T13")));
-    const auto lawOf = [&](double lost) {
-        const QString program =
-            written({.walls = QStringLiteral("local came = c.velocity ")
-                              + wallsOf(wallWays[1], "c.radius", "1")
-                              + QStringLiteral(" if c == circle1 and came ~= c.velocity then "
-                                               "circle2.position = circle2.position - %1 * "
-                                               "circle2.velocity * h end")
-                                    .arg(lost)},
-                    structures[0]);
-        return MeasuredLaws(&program, bench.ground).walls();
-    };
-    QVERIFY(!lawOf(1.0 / 3.0).isLike(lawOf(1.0)));
-    QVERIFY(lawOf(0.9).isLike(lawOf(1.0)));
-    QVERIFY(lawOf(0.05).isLike(lawOf(0.0)));
 }
 
 void TestToldWalls::slowHitsAreTold()
