@@ -50,6 +50,22 @@ void TestResponseLaw::faultIsNamed_data()
          {text("The hits do not depend on the densities")});
     rows("inverted", {.mass = text("1 / (c.density * c.radius ^ 3)"), .e = e},
          {text("Each circle answers as if it had the mass of the other")});
+    answer("turned whole",
+           "local j = (1 + e) / (1 / m1 + 1 / m2) local w = p.velocity - q.velocity "
+           "p.velocity = p.velocity - j / m1 * w q.velocity = q.velocity + j / m2 * w",
+           "Two equal circles exchange their whole velocities (with e = 1)");
+    answer("half of e",
+           "local j = (1 + e / 2) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
+           "Between equal circles the push is 0.75 times as large as it should be (with e = 1)");
+    answer("brackets",
+           "p.velocity = p.velocity - (1 + e * closing * m2 / (m1 + m2)) * n "
+           "q.velocity = q.velocity + (1 + e * closing * m1 / (m1 + m2)) * n",
+           "The push has the wrong size");
+    answer("by the density",
+           "local j = (1 + 1 / q.density) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
+           "e does not act on the rebound as it should");
     answer("radii exchanged",
            "m1, m2 = p.density * q.radius ^ 3, q.density * p.radius ^ 3 "
            "local j = (1 + e) * closing / (1 / m1 + 1 / m2) p.velocity = p.velocity - j / m1 * n "

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/pair_words.h"
+#include "tasks/judging/response_law_words.h"
 
 #include "tests/told_numbers.h"
 
@@ -15,7 +16,11 @@ class TestToldMeetings : public LabTest
 private slots:
     void initTestCase() { read(shippedLab); }
     void slowMeetingIsTold();
+    void slowMeetingThatIsPutApartIsTold();
     void partingIsTold();
+    void circlesPutTogetherAreTold();
+    void reboundByTheOverlapIsTold();
+    void lateByTheNormalIsNoOldRadius();
     void noAnswerAtAllIsTold();
     void answerWithLossesAloneIsOne();
     void answerThatNobodyAskedForIsTold();
@@ -70,6 +75,63 @@ void TestToldMeetings::slowMeetingIsTold()
     QVERIFY2(n.size() == 2, qPrintable(said));
     QVERIFY(n[0] > 0.0 && n[0] < 0.1);
     QVERIFY(isNear(n[1], 1.2));
+}
+
+/// Put back, and with the old velocities.
+void TestToldMeetings::slowMeetingThatIsPutApartIsTold()
+{
+    const QString said = body("L42T12",
+                              {.mass = equal,
+                               .answer = text("if closing > 0.3 then p.velocity = p.velocity - "
+                                              "closing * n q.velocity = q.velocity + closing * n "
+                                              "end")},
+                              text("Circles that come nearer slowly are not answered"));
+    const auto n = numbersIn(said, "They came nearer with # m/s, touched and kept their velocities;"
+                                   " with # m/s they are answered.");
+    QVERIFY2(n.size() == 2 && n[0] < 0.3, qPrintable(said));
+}
+
+void TestToldMeetings::circlesPutTogetherAreTold()
+{
+    const QString said =
+        body("L42T9",
+             {.answer = text("p.velocity, q.velocity = vec(0, 0), vec(0, 0) "
+                             "p.position = (p.position + q.position) / 2 q.position = p.position")},
+             text("A hit puts the circles into each other"));
+    const auto n = numbersIn(said, "They came until their centres were # m apart, and the step "
+                                   "with the answer put them # m apart; rims touch at # m.");
+    QVERIFY2(n.size() == 3 && n[1] == 0.0 && n[0] < n[2], qPrintable(said));
+}
+
+/// The way from one to the other, by the sum of the radii: of length 1 where rims just touch.
+void TestToldMeetings::reboundByTheOverlapIsTold()
+{
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    const auto told = [&](const QString &normal) {
+        const QString program =
+            written({.walls = wallsOf(wallWays[1], "c.radius", "1"),
+                     .hit = hitOf(hitWays[0], {.normal = normal, .mass = equal})},
+                    structures[0]);
+        const MeasuredLaws own(&program, bench.ground);
+        return overlapDeviation(own.pair(), bench.right.pair());
+    };
+    const auto said = told(text("d / reach"));
+    QVERIFY(said);
+    const auto n = numbersIn(said->message, "the circles parted with # times the speed along the "
+                                            "push that they met with; # is right.");
+    QVERIFY2(n.size() == 2 && n[0] > 0.5 && n[0] < 0.99 && n[1] == 1.0, qPrintable(said->message));
+    QVERIFY(!told(text("d:normalized()")));
+    QVERIFY(!told(text("0.9 * d:normalized()"))); // whose length is another
+}
+
+/// A wrong normal asks for approach along another line: the hit of the own scene may be late.
+void TestToldMeetings::lateByTheNormalIsNoOldRadius()
+{
+    const HitLaw law{.normal = text("vec(math.cos(math.deg(math.atan(d.y, d.x))), "
+                                    "math.sin(math.deg(math.atan(d.y, d.x))))"),
+                     .mass = equal};
+    QVERIFY(body("L42T11", law, text("In your own scene the circles answer too late"), {}, 1)
+                .isEmpty());
 }
 
 void TestToldMeetings::partingIsTold()

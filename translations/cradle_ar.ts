@@ -1995,10 +1995,6 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>يُقارَن مربع مسافة بطول</translation>
     </message>
     <message>
-        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation>تستجيبان والمسافة بينهما ⁦%2 m⁩: ومربعها هو ⁦r₁&#xa0;+&#xa0;r₂⁩. المربع بوحدة m² والطول بوحدة m.</translation>
-    </message>
-    <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
         <translation>يُختبر التلامس عند ⁨%1⁩، لا عند ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
@@ -2881,10 +2877,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>Circles that come nearer slowly are not answered</source>
         <translation>الدائرتان اللتان تقتربان ببطء لا تلقيان استجابة</translation>
-    </message>
-    <message>
-        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>اقتربتا بسرعة ⁦%1 m/s⁩ وتداخلتا؛ وبسرعة ⁦%2 m/s⁩ تلقيان استجابة. لا تهمّ سرعة مجيئهما: المهم هل تتداخلان وتتقاربان.</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
@@ -4141,14 +4133,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>في مشهدك تستجيب الدائرتان متأخرتين</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
-        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كان بُعد المركزين بين ⁦%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان حين يكون ⁦%5 m⁩. المشاهد الأخرى تخرج صحيحة. انظر متى يقرأ برنامجك نصفي القطرين: ما يُقرأ قبل أن يضبطهما ⁦`on_load`⁩ قيمة قديمة.</translation>
-    </message>
-    <message>
-        <source>The push is as many times too large as the centres are apart, in m. A direction has length 1: where it is one of two factors, divide by its length twice, or once before.</source>
-        <translation>الدفع مضروب في بُعد المركزين (بوحدة m). طول الاتجاه 1: حيث يدخل في عاملين اقسم على طوله مرتين، أو مرة واحدة قبل ذلك.</translation>
-    </message>
-    <message>
         <source>The distance of the centres comes into the push</source>
         <translation>يدخل بُعد المركزين في الدفع</translation>
     </message>
@@ -4463,10 +4447,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩، وجاءت الدائرة 2 بسرعة ⁦%3 m/s⁩ وغادرت بسرعة ⁦%4 m/s⁩. يجب أن تصير مركّبتا السرعة كلتاهما 0.</translation>
     </message>
     <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
-        <translation>تمضيان جنبًا إلى جنب ولا تفترقان: لا تأخذ كل منهما إلا نصف التغيّر الذي يُحدثه تصادم مرن. ابحث عن نصف أو متوسط.</translation>
-    </message>
-    <message>
         <source>A hit stops circle %1 alone</source>
         <translation>التصادم لا يوقف إلا الدائرة ⁨%1⁩</translation>
     </message>
@@ -4713,6 +4693,62 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>As one circle hit a wall the way of the other changed</source>
         <translation>حين اصطدمت دائرة بجدار تغيّر طريق الأخرى</translation>
+    </message>
+    <message>
+        <source>They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a length in m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
+        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كانت المسافة بين المركزين بين ⁨%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان عند ⁦%5 m⁩. المشاهد الأخرى صحيحة.</translation>
+    </message>
+    <message>
+        <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>انظر متى يقرأ برنامجك نصفي القطرين: ما يُقرأ قبل أن يضبطهما `on_load` قيمة قديمة.</translation>
+    </message>
+    <message>
+        <source>Look at what the distance is compared with, and at what is asked besides.</source>
+        <translation>انظر بماذا تُقارَن المسافة، وما الذي يُسأل غير ذلك.</translation>
+    </message>
+    <message>
+        <source>A hit puts the circles into each other</source>
+        <translation>يضع التصادم الدائرتين إحداهما داخل الأخرى</translation>
+    </message>
+    <message>
+        <source>They came until their centres were %1 m apart, and the step with the answer put them %2 m apart; rims touch at %3 m. Look at the place that each of the two gets.</source>
+        <translation>جاءتا حتى صارت المسافة بين المركزين ⁦%1 m⁩، ووضعتهما خطوة الاستجابة على مسافة ⁦%2 m⁩؛ وتتلامس الحافتان عند ⁦%3 m⁩. انظر الموضع الذي تناله كل منهما.</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by the distance of the centres, in m. A direction has length 1: divide the way from one to the other by its length wherever it stands.</source>
+        <translation>يُضرب الدفع في المسافة بين المركزين بوحدة ⁦m⁩. الاتجاه طوله 1: اقسم الطريق من إحداهما إلى الأخرى على طوله حيثما ورد.</translation>
+    </message>
+    <message>
+        <source>The rebound depends on how deep the circles overlap</source>
+        <translation>يتوقف الارتداد على مقدار تداخل الدائرتين</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right. In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
+        <translation>بخطوة زمنية ⁦%1 s⁩ افترقت الدائرتان بسرعة على اتجاه الدفع تساوي ⁨%2⁩ مرة السرعة التي التقتا بها؛ الصواب ⁨%3⁩. وفي خطوات قصيرة جدًّا يصح ذلك: انظر هل طول الناظم 1 حيث تتداخلان.</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s, touched and kept their velocities; with %2 m/s they are answered.</source>
+        <translation>اقتربتا بسرعة ⁦%1 m/s⁩ وتلامستا واحتفظتا بسرعتيهما؛ وعند ⁦%2 m/s⁩ تستجيبان.</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered.</source>
+        <translation>اقتربتا بسرعة ⁦%1 m/s⁩ وتداخلتا؛ وعند ⁦%2 m/s⁩ تستجيبان.</translation>
+    </message>
+    <message>
+        <source>How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>لا يهم مقدار سرعتهما: المهم هل تتداخلان وتتقاربان.</translation>
+    </message>
+    <message>
+        <source>%1 (with e = %2)</source>
+        <translation>⁨%1⁩ (مع ⁦e = %2⁩)</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a factor 2 that is missing, or for a half or a mean.</source>
+        <translation>تمضيان جنبًا إلى جنب ولا تفترقان: لا تنال كل منهما إلا نصف التغيّر الذي يحدثه تصادم مرن. ابحث عن عامل 2 ناقص، أو عن نصف أو متوسط.</translation>
     </message>
 </context>
 <context>

@@ -1971,10 +1971,6 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Ein Quadrat eines Abstands wird mit einer Länge verglichen</translation>
     </message>
     <message>
-        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation>Sie antworten, wenn sie %2 m auseinander sind: Das Quadrat davon ist r₁ + r₂. Ein Quadrat hat die Einheit m², eine Länge m.</translation>
-    </message>
-    <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
         <translation>Als Abstand der Berührung gilt %1, nicht r₁ + r₂</translation>
     </message>
@@ -2857,10 +2853,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>Circles that come nearer slowly are not answered</source>
         <translation>Kreise, die sich langsam nähern, antworten nicht</translation>
-    </message>
-    <message>
-        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Sie näherten sich mit %1 m/s und liefen ineinander; mit %2 m/s antworten sie. Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
@@ -4097,14 +4089,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>In deiner eigenen Szene antworten die Kreise zu spät</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
-        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m voneinander entfernt waren; Ränder berühren sich bei %5 m. Andere Szenen gehen richtig aus. Sieh nach, wann dein Programm die Radien liest: Was gelesen wird, bevor `on_load` sie setzt, ist ein alter Wert.</translation>
-    </message>
-    <message>
-        <source>The push is as many times too large as the centres are apart, in m. A direction has length 1: where it is one of two factors, divide by its length twice, or once before.</source>
-        <translation>Der Kraftstoß ist mit dem Abstand der Mittelpunkte (in m) malgenommen. Eine Richtung hat die Länge 1: Wo sie in zwei Faktoren steckt, teile zweimal durch ihre Länge oder einmal vorher.</translation>
-    </message>
-    <message>
         <source>The distance of the centres comes into the push</source>
         <translation>Der Abstand der Mittelpunkte geht in den Kraftstoß ein</translation>
     </message>
@@ -4411,10 +4395,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>Kreis 1 kam mit %1 m/s und ging mit %2 m/s, Kreis 2 kam mit %3 m/s und ging mit %4 m/s. Beide Anteile einer Geschwindigkeit müssen 0 werden.</translation>
     </message>
     <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
-        <translation>Sie laufen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die halbe Änderung, die ein elastischer Stoß macht. Suche nach einer Hälfte oder einem Mittelwert.</translation>
-    </message>
-    <message>
         <source>A hit stops circle %1 alone</source>
         <translation>Ein Stoß hält nur Kreis %1 an</translation>
     </message>
@@ -4661,6 +4641,62 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>As one circle hit a wall the way of the other changed</source>
         <translation>Als ein Kreis eine Wand traf, änderte sich der Weg des anderen</translation>
+    </message>
+    <message>
+        <source>They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a length in m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
+        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m Abstand hatten; die Ränder berühren sich bei %5 m. Andere Szenen gelingen.</translation>
+    </message>
+    <message>
+        <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>Sieh nach, wann dein Programm die Radien liest: Was gelesen wird, bevor `on_load` sie setzt, ist ein alter Wert.</translation>
+    </message>
+    <message>
+        <source>Look at what the distance is compared with, and at what is asked besides.</source>
+        <translation>Sieh dir an, womit der Abstand verglichen wird und was außerdem gefragt wird.</translation>
+    </message>
+    <message>
+        <source>A hit puts the circles into each other</source>
+        <translation>Ein Stoß setzt die Kreise ineinander</translation>
+    </message>
+    <message>
+        <source>They came until their centres were %1 m apart, and the step with the answer put them %2 m apart; rims touch at %3 m. Look at the place that each of the two gets.</source>
+        <translation>Sie kamen, bis ihre Mittelpunkte %1 m Abstand hatten, und der Schritt mit der Antwort setzte sie auf %2 m Abstand; die Ränder berühren sich bei %3 m. Sieh dir an, welchen Ort jeder der beiden bekommt.</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by the distance of the centres, in m. A direction has length 1: divide the way from one to the other by its length wherever it stands.</source>
+        <translation>Der Kraftstoß wird mit dem Abstand der Mittelpunkte in m multipliziert. Eine Richtung hat die Länge 1: Teile den Weg vom einen zum anderen überall, wo er steht, durch seine Länge.</translation>
+    </message>
+    <message>
+        <source>The rebound depends on how deep the circles overlap</source>
+        <translation>Der Rückprall hängt davon ab, wie tief die Kreise überlappen</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right. In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
+        <translation>Mit einem Zeitschritt von %1 s trennten sich die Kreise mit dem %2-fachen der Geschwindigkeit längs des Kraftstoßes, mit der sie sich trafen; richtig ist %3. In sehr kurzen Schritten stimmt es: Sieh nach, ob die Normale die Länge 1 hat, wo sie überlappen.</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s, touched and kept their velocities; with %2 m/s they are answered.</source>
+        <translation>Sie näherten sich mit %1 m/s, berührten sich und behielten ihre Geschwindigkeiten; mit %2 m/s antworten sie.</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered.</source>
+        <translation>Sie näherten sich mit %1 m/s und liefen ineinander; mit %2 m/s antworten sie.</translation>
+    </message>
+    <message>
+        <source>How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Wie schnell sie kommen, spielt keine Rolle: Es zählt, ob sie überlappen und sich nähern.</translation>
+    </message>
+    <message>
+        <source>%1 (with e = %2)</source>
+        <translation>%1 (mit e = %2)</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a factor 2 that is missing, or for a half or a mean.</source>
+        <translation>Sie gehen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die Hälfte der Änderung, die ein elastischer Stoß macht. Such einen Faktor 2, der fehlt, oder eine Hälfte oder ein Mittel.</translation>
     </message>
 </context>
 <context>

@@ -1971,10 +1971,6 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Le carré d&apos;une distance est comparé à une longueur</translation>
     </message>
     <message>
-        <source>They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a length in m.</source>
-        <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre&#xa0;: c&apos;est le carré de cette distance qui vaut r₁ + r₂. Un carré est en m², une longueur en m.</translation>
-    </message>
-    <message>
         <source>Contact is tested at %1, not at r₁ + r₂</source>
         <translation>Le contact est testé avec %1, pas avec r₁ + r₂</translation>
     </message>
@@ -2857,10 +2853,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>Circles that come nearer slowly are not answered</source>
         <translation>Les cercles qui se rapprochent lentement restent sans réaction</translation>
-    </message>
-    <message>
-        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered. How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
-        <translation>Ils se sont rapprochés à %1 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %2 m/s il y a une réaction. Peu importe à quelle vitesse ils viennent&#xa0;: ce qui compte, c&apos;est qu&apos;ils se chevauchent et se rapprochent.</translation>
     </message>
     <message>
         <source>With ρ₁ = %1 and ρ₂ = %2, e = %3: </source>
@@ -4097,14 +4089,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Dans votre propre scène, les cercles répondent trop tard</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
-        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont répondu quand leurs centres étaient distants de %3 à %4 m&#xa0;; les bords se touchent à %5 m. D&apos;autres scènes donnent le bon résultat. Voyez quand votre programme lit les rayons&#xa0;: ce qui est lu avant que `on_load` les fixe est une ancienne valeur.</translation>
-    </message>
-    <message>
-        <source>The push is as many times too large as the centres are apart, in m. A direction has length 1: where it is one of two factors, divide by its length twice, or once before.</source>
-        <translation>La poussée est multipliée par la distance des centres (en m). Une direction a la longueur 1&#xa0;: là où elle entre dans deux facteurs, divisez deux fois par sa longueur, ou une fois avant.</translation>
-    </message>
-    <message>
         <source>The distance of the centres comes into the push</source>
         <translation>La distance des centres entre dans la poussée</translation>
     </message>
@@ -4411,10 +4395,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Le cercle 1 est venu à %1 m/s et reparti à %2 m/s, le cercle 2 est venu à %3 m/s et reparti à %4 m/s. Les deux composantes d&apos;une vitesse doivent devenir 0.</translation>
     </message>
     <message>
-        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a half or a mean.</source>
-        <translation>Ils continuent côte à côte et ne se séparent pas&#xa0;: chacun ne reçoit que la moitié du changement que fait un choc élastique. Cherchez une moitié ou une moyenne.</translation>
-    </message>
-    <message>
         <source>A hit stops circle %1 alone</source>
         <translation>Un choc n&apos;arrête que le cercle %1</translation>
     </message>
@@ -4661,6 +4641,62 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>As one circle hit a wall the way of the other changed</source>
         <translation>Quand un cercle a touché une paroi, le chemin de l&apos;autre a changé</translation>
+    </message>
+    <message>
+        <source>They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a length in m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont réagi quand leurs centres étaient entre %3 et %4 m l&apos;un de l&apos;autre&#xa0;; les bords se touchent à %5 m. D&apos;autres scènes sont justes.</translation>
+    </message>
+    <message>
+        <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>Regardez quand votre programme lit les rayons&#xa0;: ce qui est lu avant que `on_load` les fixe est une ancienne valeur.</translation>
+    </message>
+    <message>
+        <source>Look at what the distance is compared with, and at what is asked besides.</source>
+        <translation>Regardez à quoi la distance est comparée, et ce qui est demandé en plus.</translation>
+    </message>
+    <message>
+        <source>A hit puts the circles into each other</source>
+        <translation>Un choc met les cercles l&apos;un dans l&apos;autre</translation>
+    </message>
+    <message>
+        <source>They came until their centres were %1 m apart, and the step with the answer put them %2 m apart; rims touch at %3 m. Look at the place that each of the two gets.</source>
+        <translation>Ils sont venus jusqu&apos;à ce que leurs centres soient à %1 m l&apos;un de l&apos;autre, et le pas de la réponse les a mis à %2 m&#xa0;; les bords se touchent à %3 m. Regardez la position que reçoit chacun des deux.</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by the distance of the centres, in m. A direction has length 1: divide the way from one to the other by its length wherever it stands.</source>
+        <translation>La poussée est multipliée par la distance des centres, en m. Une direction a la longueur 1&#xa0;: divisez le chemin de l&apos;un à l&apos;autre par sa longueur partout où il figure.</translation>
+    </message>
+    <message>
+        <source>The rebound depends on how deep the circles overlap</source>
+        <translation>Le rebond dépend du chevauchement des cercles</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right. In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
+        <translation>Avec un pas de temps de %1 s, les cercles se sont séparés avec %2 fois la vitesse suivant la poussée avec laquelle ils se sont rencontrés&#xa0;; %3 est juste. Dans des pas très courts, c&apos;est juste&#xa0;: regardez si la normale a la longueur 1 là où ils se chevauchent.</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s, touched and kept their velocities; with %2 m/s they are answered.</source>
+        <translation>Ils se sont rapprochés à %1 m/s, se sont touchés et ont gardé leurs vitesses&#xa0;; à %2 m/s, ils réagissent.</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s and ran into each other; with %2 m/s they are answered.</source>
+        <translation>Ils se sont rapprochés à %1 m/s et sont entrés l&apos;un dans l&apos;autre&#xa0;; à %2 m/s, ils réagissent.</translation>
+    </message>
+    <message>
+        <source>How fast they come does not matter: what counts is whether they overlap and come nearer.</source>
+        <translation>Peu importe leur vitesse&#xa0;: ce qui compte, c&apos;est s&apos;ils se chevauchent et se rapprochent.</translation>
+    </message>
+    <message>
+        <source>%1 (with e = %2)</source>
+        <translation>%1 (avec e = %2)</translation>
+    </message>
+    <message>
+        <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a factor 2 that is missing, or for a half or a mean.</source>
+        <translation>Ils continuent côte à côte et ne se séparent pas&#xa0;: chacun ne reçoit que la moitié du changement que fait un choc élastique. Cherchez un facteur 2 qui manque, ou bien une moitié ou une moyenne.</translation>
     </message>
 </context>
 <context>

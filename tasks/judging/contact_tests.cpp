@@ -62,8 +62,9 @@ std::vector<ContactTest> contactTests()
          ContactText::tr("|Δx + Δy| is not the distance"), alone, true},
         {[](const PairHit &h) { return std::sqrt(h.meeting.sum()); },
          ContactText::tr("A squared distance is compared with a length"),
-         ContactText::tr("They answer %2 m apart: that squared is r₁ + r₂. A square is in m², a "
-                         "length in m.")},
+         ContactText::tr(
+             "They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a "
+             "length in m.")},
         {[](const PairHit &h) { return 0.5 * h.meeting.sum(); },
          ContactText::tr("Only half of r₁ + r₂ counts in the test of contact"), one}};
     const auto add = [&](double (*distance)(double, double), const QString &what) {

@@ -30,6 +30,8 @@ public:
         findLeap();
         if (m_found.size() == before)
             findPutFar();
+        if (m_found.size() == before)
+            findPutTogether();
         // A wrong direction shows here, too; it is the response that is wrong.
         if (!divided.isOfWay() && !isDirectionWrong())
             take(meetingDeviations(Meetings::Parting, m_own, m_right, m_ground));
@@ -195,19 +197,27 @@ private:
     void findOwn()
     {
         if (!m_own.own || !m_right.own || !isInTime(*m_right.own) || !m_own.own->isMet()
-            || isInTime(*m_own.own))
+            || isInTime(*m_own.own) || isDirectionWrong())
             return;
         const PairHit &hit = *m_own.own;
+        const auto &before = m_ground.own.circles;
+        const bool isOfOldRadii =
+            before.size() > 1 && hit.fits(before[0].body.radius + before[1].body.radius);
         add(hit.reached > hit.meeting.sum()
                 ? ContactText::tr("In your own scene the circles answer before they touch")
                 : ContactText::tr("In your own scene the circles answer too late"),
             ContactText::tr("With r₁ = %1 m and r₂ = %2 m they answered when their centres were "
                             "between %3 and %4 m apart; rims touch where that is %5 m. Other "
-                            "scenes come out right. Look at when your program reads the radii: "
-                            "what is read before `on_load` sets them is an old value.")
-                .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(hit.reached),
-                     brief(hit.before), brief(hit.meeting.sum())),
-            hit, Suspect::Copy);
+                            "scenes come out right.")
+                    .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(hit.reached),
+                         brief(hit.before), brief(hit.meeting.sum()))
+                + QLatin1Char(' ')
+                + (isOfOldRadii
+                       ? ContactText::tr("Look at when your program reads the radii: what is read "
+                                         "before `on_load` sets them is an old value.")
+                       : ContactText::tr("Look at what the distance is compared with, and at what "
+                                         "is asked besides.")),
+            hit, isOfOldRadii ? Suspect::Copy : Suspect::Question);
     }
 
     /// Overlapping circles are put as far apart as their rims touch.
@@ -222,6 +232,21 @@ private:
             ContactText::tr("They came until their centres were %1 m apart, and the step with the "
                             "answer put them %2 m apart; rims touch at %3 m. It is enough that "
                             "they touch: look at how far each of the two is moved.")
+                .arg(brief(at->reached), brief(at->after), brief(at->meeting.sum())),
+            *at, Suspect::Answer);
+    }
+
+    void findPutTogether()
+    {
+        const auto isTogether = [](const PairHit &h) { return h.isPutTogether(); };
+        const auto at = std::find_if(m_own.contacts.begin(), m_own.contacts.end(), isTogether);
+        if (at == m_own.contacts.end()
+            || std::any_of(m_right.contacts.begin(), m_right.contacts.end(), isTogether))
+            return;
+        add(ContactText::tr("A hit puts the circles into each other"),
+            ContactText::tr("They came until their centres were %1 m apart, and the step with the "
+                            "answer put them %2 m apart; rims touch at %3 m. Look at the place "
+                            "that each of the two gets.")
                 .arg(brief(at->reached), brief(at->after), brief(at->meeting.sum())),
             *at, Suspect::Answer);
     }

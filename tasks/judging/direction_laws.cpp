@@ -55,8 +55,8 @@ std::vector<ResponseLaw> directionLaws()
         DirectionLawText::tr("A direction has length 1: divide it by its own length, "
                              "else its length comes into the push, and twice.");
     const QString once = DirectionLawText::tr(
-        "The push is as many times too large as the centres are apart, in m. A direction has "
-        "length 1: where it is one of two factors, divide by its length twice, or once before.");
+        "The push is multiplied by the distance of the centres, in m. A direction has length 1: "
+        "divide the way from one to the other by its length wherever it stands.");
     const QString line =
         DirectionLawText::tr("The push acts along the line from centre to centre.");
     return {

@@ -116,7 +116,7 @@ bool HitKinds::isLawOf(const Kinds &hits) const
     }
     const auto laws = knownResponses();
     return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
-        return said.startsWith(law.headline + QLatin1Char('\n')) && follows(law, all);
+        return said.startsWith(law.headline) && follows(law, all);
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
 
@@ -58,6 +59,38 @@ LawDeviation lateRestitution(const MeasuredPair &own)
             .arg(brief(one.meeting.restitution), brief(one.rebound()),
                  brief(own.later->second.rebound())),
         one, Suspect::Kept);
+}
+
+std::optional<LawDeviation> overlapDeviation(const MeasuredPair &own, const MeasuredPair &right)
+{
+    constexpr double blur = 0.01;
+    const PairHit *shown = nullptr;
+    double shownRight = 0.0;
+    for (std::size_t i = 0; i < own.contacts.size(); ++i) {
+        const PairHit &hit = own.contacts[i];
+        const double e = right.contacts[i].rebound();
+        if (!hit.isInTime() || !right.contacts[i].isInTime())
+            continue;
+        // A normal of length s makes the push (1 + e) u the s²-fold.
+        const double s = std::sqrt((1.0 + hit.rebound()) / (1.0 + e));
+        const double sum = hit.meeting.sum();
+        if (!(s > hit.reached / sum - blur && s < hit.before / sum + blur))
+            return std::nullopt;
+        if (!shown && std::abs(hit.rebound() - e) > blur) {
+            shown = &hit;
+            shownRight = e;
+        }
+    }
+    if (!shown)
+        return std::nullopt;
+    return responseDeviation(
+        ResponseText::tr("The rebound depends on how deep the circles overlap"),
+        ResponseText::tr("With a timestep of %1 s the circles parted with %2 times the speed along "
+                         "the push that they met with; %3 is right. In very short steps it comes "
+                         "out right: look at whether the normal has length 1 where they overlap.")
+            .arg(briefTimestep(shown->stage.preset.timestep), brief(shown->rebound()),
+                 brief(shownRight)),
+        *shown, Suspect::Formula);
 }
 
 namespace {

@@ -240,7 +240,8 @@ bool isRightAlong(const MeasuredPair &own, const MeasuredPair &right, int circle
 
 } // namespace
 
-std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const MeasuredPair &right)
+std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const MeasuredPair &right,
+                                         bool areEqualsRight)
 {
     if (own.radii.empty() && own.densities.empty())
         return {};
@@ -257,7 +258,12 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
             ResponseText::tr("The heavier of two circles changes its velocity less. Look at "
                              "where the masses of both enter your answer."),
             &MeasuredPair::radii)};
-    return powerDeviations(tell, p, good);
+    // Another fault changes what the pushes tell of masses, too.
+    const auto isTold = [&](std::optional<double> q) {
+        return areEqualsRight || !q || isPower(*q);
+    };
+    return isTold(p.radius) && isTold(p.density) ? powerDeviations(tell, p, good)
+                                                 : std::vector<LawDeviation>{};
 }
 
 std::vector<LawDeviation> massDeviationsBeside(const MeasuredPair &own, const MeasuredPair &right)

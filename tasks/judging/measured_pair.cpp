@@ -132,6 +132,11 @@ bool PairHit::isPutFar() const
     return answered && after - std::max(before, meeting.sum()) > 2.0 * (way + before - reached);
 }
 
+bool PairHit::isPutTogether() const
+{
+    return answered && after < 0.5 * std::min(before, reached) && reached > 0.5 * meeting.sum();
+}
+
 bool PairHit::fits(double distance) const
 {
     // Who answers at once may have done so long before.

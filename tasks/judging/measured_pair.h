@@ -82,6 +82,8 @@ struct PairHit {
     [[nodiscard]] bool isPutFar() const;
     /// Whether the place of one was set while no velocity changed.
     [[nodiscard]] bool isHeld() const { return moved1 || moved2; }
+    /// Whether its answer puts them far into each other.
+    [[nodiscard]] bool isPutTogether() const;
     /// Whether it was noticed but changed no velocity.
     [[nodiscard]] bool isHeldAlone() const { return isHeld() && !answered; }
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.

@@ -57,15 +57,19 @@ private:
     void findSpeed(const std::optional<PairHit> &own, const std::optional<PairHit> &right,
                    const QString &headline)
     {
-        if (!own || !right || own->answered || own->isHeld() || !right->isMet()
-            || !answersAny(m_own.equals))
+        if (!own || !right || own->answered || !right->isMet() || !answersAny(m_own.equals))
             return;
         add(headline,
-            ContactText::tr("They came nearer with %1 m/s and ran into each other; with %2 m/s "
-                            "they are answered. How fast they come does not matter: what counts "
-                            "is whether they overlap and come nearer.")
-                .arg(brief(own->slowness * own->meeting.closing()),
-                     brief(own->slowness * m_own.contacts.front().meeting.closing())),
+            (own->isHeld()
+                 ? ContactText::tr("They came nearer with %1 m/s, touched and kept their "
+                                   "velocities; with %2 m/s they are answered.")
+                 : ContactText::tr("They came nearer with %1 m/s and ran into each other; with %2 "
+                                   "m/s they are answered."))
+                    .arg(brief(own->slowness * own->meeting.closing()),
+                         brief(own->slowness * m_own.contacts.front().meeting.closing()))
+                + QLatin1Char(' ')
+                + ContactText::tr("How fast they come does not matter: what counts is whether they "
+                                  "overlap and come nearer."),
             whereTheyTouch(*own));
     }
 

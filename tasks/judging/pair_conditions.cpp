@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/contact_comparison.h"
 #include "tasks/judging/hit_kinds.h"
+#include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
 
 namespace cradle {
@@ -23,6 +24,10 @@ public:
             return std::move(m_said);
         if (aspect == Aspect::Response) {
             m_said.deviations = HitKinds(*this).judge(std::move(m_said.deviations));
+            if (m_said.deviations.empty()) {
+                if (auto overlap = overlapDeviation(m_own.pair(), m_right.pair()))
+                    m_said.deviations.push_back(std::move(*overlap));
+            }
             addSurroundings();
         } else if (m_said.deviations.empty()) {
             if (auto moments = momentsDeviation(m_own.pairChases()))

@@ -127,8 +127,18 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
                           .arg(briefTimestep(hit.stage.preset.timestep), brief(factor),
                                briefTimestep(mine.stage.preset.timestep), brief(other))};
     }
+    bool isOfEveryE = true;
+    for (std::size_t i = 0; i < own.rebounds.size(); ++i) {
+        const PairHit &mine = own.rebounds[i];
+        const PairHit &theirs = right.rebounds[i];
+        isOfEveryE =
+            isOfEveryE
+            && (!mine.isMet() || !theirs.isMet() || isAlike(factorOf(mine, theirs), factor, 0.01));
+    }
     return {ResponseText::tr("Between equal circles the push is %1 times as large as it should be")
-                .arg(briefBeside(factor, 1.0))};
+                .arg(briefBeside(factor, 1.0)),
+            {},
+            isOfEveryE};
 }
 
 } // namespace cradle

@@ -310,6 +310,9 @@ private:
                 add(ReboundText::tr("After a hit the circles still run into each other"));
             else if (first > 1.0 + blur)
                 add(ReboundText::tr("After a hit the circles part faster than they met"));
+            else if (m_own.own && m_own.own->isMet()
+                     && std::abs(m_own.own->rebound() - first) > 3.0 * blur)
+                addOdd();
             else
                 add(ReboundText::tr("A number stands for e in the hit of two circles"),
                     ReboundText::tr("With every e tried the rebound is that of e = %1.")

@@ -110,9 +110,24 @@ private:
                 continue;
             add(law.headline, describeEquals(hit, right) + QLatin1Char(' ') + law.body, hit);
             m_reading.law = law;
+            if (law.isOfE && !follows(law, comparableHits(m_own.rebounds, m_right.rebounds)))
+                limitToE(hit);
             return;
         }
         findParts(hits, hit, right);
+    }
+
+    /// What is not so with another e is told of the one that was tried.
+    void limitToE(const PairHit &hit)
+    {
+        QString &message = m_reading.said->message;
+        const qsizetype end = message.indexOf(QLatin1Char('\n'));
+        if (m_own.rebounds.empty())
+            return;
+        message = ResponseText::tr("%1 (with e = %2)")
+                      .arg(message.left(end), brief(hit.meeting.restitution))
+                  + message.mid(end);
+        m_reading.said->isOfSome = true;
     }
 
     /// Both should stop, and do not always.
@@ -218,6 +233,8 @@ private:
         else {
             const SizeOfPush size = sizeOfPush(m_own, m_right, hit, right);
             add(size.headline, describeEquals(hit, right) + size.seen, hit);
+            if (!size.isOfEveryE)
+                limitToE(hit);
         }
         m_reading.said->message += otherLine(hits, hit);
         m_reading.said->moment.circles = wrongIn(hits);

@@ -28,7 +28,8 @@ struct EqualReading {
 /// An equal and opposite push along the line of centres that has a wrong length.
 struct SizeOfPush {
     QString headline{};
-    QString seen{}; ///< on what it depends; begins with a blank
+    QString seen{};         ///< on what it depends; begins with a blank
+    bool isOfEveryE = true; ///< of those that were tried
 };
 /// A factor is told only if circles of another size, and in a longer step, follow it, too.
 [[nodiscard]] SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right,
@@ -42,6 +43,9 @@ struct SizeOfPush {
 /// That slow circles are answered in another way than fast ones.
 [[nodiscard]] std::optional<LawDeviation> slowDeviation(const MeasuredPair &own,
                                                         const MeasuredPair &right);
+/// That the push has another size in steps of the usual length than in very short ones.
+[[nodiscard]] std::optional<LawDeviation> overlapDeviation(const MeasuredPair &own,
+                                                           const MeasuredPair &right);
 /// That the hit of the own scene is not answered as those of other scenes are.
 /// \param isElseRight  nothing else is wrong
 [[nodiscard]] std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRight);

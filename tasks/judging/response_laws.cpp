@@ -96,7 +96,8 @@ std::vector<ResponseLaw> exchangeLaws()
         {[](Hit h) {
              return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
          },
-         ResponseLawText::tr("Two equal circles exchange their whole velocities"), along},
+         ResponseLawText::tr("Two equal circles exchange their whole velocities"), along, false,
+         true},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1};
          },
@@ -158,7 +159,8 @@ std::vector<ResponseLaw> exchangeLaws()
          },
          ResponseLawText::tr("After an elastic hit the circles do not part"),
          ResponseLawText::tr("They go on side by side and do not part: each gets only half of the "
-                             "change that an elastic hit makes. Look for a half or a mean.")},
+                             "change that an elastic hit makes. Look for a factor 2 that is "
+                             "missing, or for a half or a mean.")},
         {[](Hit h) {
              const double n = 0.5 * (h.in.along1 + h.in.along2);
              const double t = 0.5 * (h.in.across1 + h.in.across2);
@@ -186,13 +188,13 @@ std::vector<ResponseLaw> exchangeLaws()
                                    h.right.along2, h.right.across2};
          },
          ResponseLawText::tr("The push on circle 1 has the wrong sign"),
-         ResponseLawText::tr("It gains the part that it should lose.")},
+         ResponseLawText::tr("It gains the part that it should lose."), false, true},
         {[](Hit h) {
              return PairVelocities{h.right.along1, h.right.across1,
                                    2.0 * h.in.along2 - h.right.along2, h.right.across2};
          },
          ResponseLawText::tr("The push on circle 2 has the wrong sign"),
-         ResponseLawText::tr("It loses the part that it should gain.")},
+         ResponseLawText::tr("It loses the part that it should gain."), false, true},
         {[](Hit h) {
              return PairVelocities{-h.in.along2, h.in.across1, -h.in.along1, h.in.across2};
          },

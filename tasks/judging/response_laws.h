@@ -21,6 +21,7 @@ struct ResponseLaw {
     QString headline;
     QString body;
     bool isForEvery = false; ///< said only where hits of other masses and e follow it, too
+    bool isOfE = false;      ///< said of the e that was tried, where others do not follow it
 };
 
 /// The known ones, the most particular first.

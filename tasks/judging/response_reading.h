@@ -65,8 +65,9 @@ struct MassExponents {
                                                               const MeasuredPair &right);
 
 /// In what the masses of \p own are not those of \p right.
-[[nodiscard]] std::vector<LawDeviation> massDeviations(const MeasuredPair &own,
-                                                       const MeasuredPair &right);
+/// \param areEqualsRight  hits of equal circles are: else only clear powers are told
+[[nodiscard]] std::vector<LawDeviation>
+massDeviations(const MeasuredPair &own, const MeasuredPair &right, bool areEqualsRight);
 
 /// The same where the push on one circle or both is wrong for equal masses, too: as the push along
 /// the line of centres tells on one that leaves equal hits as it should.

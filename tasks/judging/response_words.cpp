@@ -28,7 +28,7 @@ public:
         take(m_equal.said);
         // An answer that never asks for masses or e is one fault, not three.
         if (!isWhole(m_own.radii, m_right.radii) || !isWhole(m_own.densities, m_right.densities)) {
-            for (LawDeviation &mass : massDeviations(m_own, m_right))
+            for (LawDeviation &mass : massDeviations(m_own, m_right, m_equal.isRight))
                 m_found.push_back(std::move(mass));
             if (m_found.size() == 1 && m_equal.said) {
                 for (LawDeviation &mass : massDeviationsBeside(m_own, m_right))
