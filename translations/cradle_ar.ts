@@ -4696,7 +4696,7 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     </message>
     <message>
         <source>They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a length in m.</source>
-        <translation type="unfinished"></translation>
+        <translation>تستجيبان والمسافة ⁦%2 m⁩: ومربعها نحو ⁦r₁ + r₂⁩. المربع بوحدة ⁦m²⁩ والطول بوحدة ⁦m⁩.</translation>
     </message>
     <message>
         <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>

@@ -4644,7 +4644,7 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     </message>
     <message>
         <source>They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a length in m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie antworten bei %2 m Abstand: Das zum Quadrat ist etwa r₁ + r₂. Ein Quadrat hat die Einheit m², eine Länge m.</translation>
     </message>
     <message>
         <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>

@@ -4644,7 +4644,7 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     </message>
     <message>
         <source>They answer %2 m apart: that squared is about r₁ + r₂. A square is in m², a length in m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre&#xa0;: cela au carré vaut environ r₁ + r₂. Un carré est en m², une longueur en m.</translation>
     </message>
     <message>
         <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
