@@ -19,6 +19,7 @@ private slots:
     void contactAlongOneAxisIsNoFaultOfTheWalls();
     void circlesThatNeverMeetAreTold_data();
     void circlesThatNeverMeetAreTold();
+    void whoIsHeldBeforeIsNotSaidToMiss();
 
 private:
     [[nodiscard]] QStringList toldOf(const char *step, const QString &program) const
@@ -92,6 +93,25 @@ void TestToldCompany::circlesThatNeverMeetAreTold()
         const QStringList told = toldOf("L42T13", program);
         QCOMPARE(told.filter(QStringLiteral("do not meet")).size(), numbers.isEmpty() ? 0 : 1);
         QVERIFY2(numbers.isEmpty() || told.front().contains(numbers), qPrintable(told.value(0)));
+    }
+}
+
+/// Circle 1 is put back in every step that would bring it nearer: it is no matter of the start.
+void TestToldCompany::whoIsHeldBeforeIsNotSaidToMiss()
+{
+    const HitLaw held{.touch = QStringLiteral("d:length() < reach + 0.3"),
+                      .answer = QStringLiteral("q.velocity = vec(0, 0)")};
+    for (const Structure &structure : structures) {
+        const QString program = written(
+            {.start = QStringLiteral("circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0) "
+                                     "circle2.position, circle2.velocity = vec(2, 2), vec(0, 0) "
+                                     "circle2.radius = 0.4"),
+             .walls = wallsOf(wallWays[0], "c.radius", "1"),
+             .hit = hitOf(hitWays[0], held)},
+            structure);
+        const QStringList told = toldOf("L42T13", program);
+        QVERIFY(!told.isEmpty());
+        QCOMPARE(told.filter(QStringLiteral("do not meet")), QStringList());
     }
 }
 

@@ -36,7 +36,16 @@ struct Nearest {
     qint64 step = 0;
 };
 
-/// \return nothing if they touch, or are hit by something else than walls
+/// Whether circle \p i goes on by its velocity in the step after \p k, by any integrator.
+bool goesOn(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const double h = o.timestep();
+    const Circle &before = o.circle(i, k);
+    const Vec2 way = o.circle(i, k + 1).position - before.position;
+    return length(way - h * before.velocity) <= motion::samePosition + h * h * length(gravity);
+}
+
+/// \return nothing if they touch, or are hit or held by something else than walls
 std::optional<Nearest> nearestOf(const Observation &o, Vec2 gravity)
 {
     Nearest nearest;
@@ -47,8 +56,9 @@ std::optional<Nearest> nearestOf(const Observation &o, Vec2 gravity)
         if (gap < nearest.gap)
             nearest = {gap, k};
         for (int i = 0; i < 2 && k < o.steps(); ++i) {
+            const bool isFree = !motion::isKicked(o, i, k, gravity) && goesOn(o, i, k, gravity);
             if (motion::isNearCircle(o, i, k, gravity)
-                || (motion::isKicked(o, i, k, gravity) && !motion::isNearWall(o, i, k, gravity)))
+                || (!isFree && !motion::isNearWall(o, i, k, gravity)))
                 return std::nullopt;
         }
     }

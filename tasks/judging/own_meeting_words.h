@@ -13,7 +13,7 @@ namespace cradle {
 /// That circles 1 and 2 of its own scene never meet, where a failed check waits for their hit; they
 /// fly and turn at walls as they should.
 /// \param checks  what became of the checks
-/// \return nothing if they meet, or if something away from walls changes a velocity
+/// \return nothing if they meet, or if something away from walls changes a velocity or a place
 [[nodiscard]] std::optional<LawDeviation> missedMeeting(const Task &task,
                                                         const Submission &submission,
                                                         const std::vector<CheckOutcome> &checks);
