@@ -80,9 +80,10 @@ void TestToldCarried::velocityThatIsSetIsTold()
             said,
             isOfGravity
                 ? "Started with (#, #) m/s under gravity (0, -9.81) m/s², away from every wall and "
-                  "every other circle, it rests one step later; without gravity it goes on."
+                  "every other circle, its velocity is 0 one step later; without gravity it keeps "
+                  "it."
                 : "Started with (#, #) m/s, away from every wall and every other "
-                  "circle, it rests one step later.");
+                  "circle, its velocity is 0 one step later.");
         QVERIFY2(n.size() == 2, qPrintable(said));
         return;
     }

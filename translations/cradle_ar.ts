@@ -4453,10 +4453,10 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
     <message>
         <source>The floor does not hold circle %1 up
 
-After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
+Here e is %4. After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
         <translation>الأرضية لا تحمل الدائرة ⁨%1⁩
 
-بعد ⁦%2 s⁩ قرب الأرضية صارت حافتها تحتها بمقدار ⁦%3 m⁩، وأعمق مما كانت: الأرضية تغيّر سرعتها ومع ذلك تجذبها الجاذبية. أعد الدائرة إلى حيث تلمس.</translation>
+هنا e يساوي ⁨%4⁩. بعد ⁦%2 s⁩ قرب الأرضية صارت حافتها تحتها بمقدار ⁦%3 m⁩، وأعمق مما كانت: الأرضية تغيّر سرعتها ومع ذلك تجذبها الجاذبية. أعد الدائرة إلى حيث تلمس.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².</source>
@@ -4551,12 +4551,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>يجب أن تضيف كل خطوة ⁦v Δt⁩ إلى الموضع.</translation>
     </message>
     <message>
-        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, it rests one step later; without gravity it goes on.</source>
-        <translation>بدأت بسرعة ⁦%1 m/s⁩ تحت الجاذبية ⁦%2 m/s²⁩ بعيدًا عن كل جدار وكل دائرة أخرى، فسكنت بعد خطوة واحدة؛ ومن دون جاذبية تواصل الحركة.</translation>
+        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, its velocity is 0 one step later; without gravity it keeps it.</source>
+        <translation>بدأت بسرعة ⁦%1 m/s⁩ تحت الجاذبية ⁦%2 m/s²⁩ بعيدًا عن كل جدار وكل دائرة أخرى، فصارت سرعتها 0 بعد خطوة واحدة؛ ومن دون جاذبية تحتفظ بها.</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later.</source>
-        <translation>بدأت بسرعة ⁦%1 m/s⁩ بعيدًا عن كل جدار وكل دائرة أخرى، فسكنت بعد خطوة واحدة.</translation>
+        <source>Started with %1 m/s, away from every wall and every other circle, its velocity is 0 one step later.</source>
+        <translation>بدأت بسرعة ⁦%1 m/s⁩ بعيدًا عن كل جدار وكل دائرة أخرى، فصارت سرعتها 0 بعد خطوة واحدة.</translation>
     </message>
     <message>
         <source>Under gravity a step took the velocity of %who away</source>
@@ -4749,6 +4749,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a factor 2 that is missing, or for a half or a mean.</source>
         <translation>تمضيان جنبًا إلى جنب ولا تفترقان: لا تنال كل منهما إلا نصف التغيّر الذي يحدثه تصادم مرن. ابحث عن عامل 2 ناقص، أو عن نصف أو متوسط.</translation>
+    </message>
+    <message>
+        <source>In your own scene the walls do not use the e that it has</source>
+        <translation>في مشهدك لا تستعمل الجدران e الذي له</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وغادرته بسرعة ⁦%4 m/s⁩، أي نحو ⁦%5⁩ مرة من ذلك، و⁦`restitution`⁩ هو ⁨%6⁩. المشاهد الأخرى تخرج صحيحة. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
     </message>
 </context>
 <context>

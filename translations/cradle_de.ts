@@ -4401,10 +4401,10 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
     <message>
         <source>The floor does not hold circle %1 up
 
-After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
+Here e is %4. After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
         <translation>Der Boden hält Kreis %1 nicht oben
 
-Nach %2 s in der Nähe des Bodens liegt sein Rand %3 m darunter, und tiefer als vorher: Der Boden ändert seine Geschwindigkeit, und doch zieht ihn die Schwerkraft weiter. Setze den Kreis dorthin zurück, wo er den Boden berührt.</translation>
+Hier ist e = %4. Nach %2 s in der Nähe des Bodens liegt sein Rand %3 m darunter, und tiefer als vorher: Der Boden ändert seine Geschwindigkeit, und doch zieht ihn die Schwerkraft weiter. Setze den Kreis dorthin zurück, wo er den Boden berührt.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².</source>
@@ -4499,12 +4499,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Jeder Schritt muss zum Ort v Δt hinzufügen.</translation>
     </message>
     <message>
-        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, it rests one step later; without gravity it goes on.</source>
-        <translation>Mit %1 m/s unter der Schwerkraft %2 m/s² gestartet, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später; ohne Schwerkraft bewegt er sich weiter.</translation>
+        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, its velocity is 0 one step later; without gravity it keeps it.</source>
+        <translation>Mit %1 m/s unter der Schwerkraft %2 m/s² gestartet, fern von jeder Wand und jedem anderen Kreis, ist seine Geschwindigkeit einen Schritt später 0; ohne Schwerkraft behält er sie.</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later.</source>
-        <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, ruht er einen Schritt später.</translation>
+        <source>Started with %1 m/s, away from every wall and every other circle, its velocity is 0 one step later.</source>
+        <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, ist seine Geschwindigkeit einen Schritt später 0.</translation>
     </message>
     <message>
         <source>Under gravity a step took the velocity of %who away</source>
@@ -4697,6 +4697,14 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a factor 2 that is missing, or for a half or a mean.</source>
         <translation>Sie gehen nebeneinander weiter und trennen sich nicht: Jeder bekommt nur die Hälfte der Änderung, die ein elastischer Stoß macht. Such einen Faktor 2, der fehlt, oder eine Hälfte oder ein Mittel.</translation>
+    </message>
+    <message>
+        <source>In your own scene the walls do not use the e that it has</source>
+        <translation>In deiner eigenen Szene benutzen die Wände nicht das e, das sie hat</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Kreis %1 kam mit %3 m/s an %2 an und ging mit %4 m/s, das ist etwa das %5-Fache, und `restitution` ist %6. Andere Szenen gehen richtig aus. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
     </message>
 </context>
 <context>

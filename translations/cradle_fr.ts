@@ -4401,10 +4401,10 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
     <message>
         <source>The floor does not hold circle %1 up
 
-After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
+Here e is %4. After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
         <translation>Le sol ne retient pas le cercle %1
 
-Après %2 s près du sol, son bord est %3 m au-dessous, et plus bas qu&apos;avant&#xa0;: le sol change sa vitesse, et pourtant la pesanteur continue de l&apos;entraîner. Remettez le cercle là où il touche le sol.</translation>
+Ici, e vaut %4. Après %2 s près du sol, son bord est %3 m au-dessous, et plus bas qu&apos;avant&#xa0;: le sol change sa vitesse, et pourtant la pesanteur continue de l&apos;entraîner. Remettez le cercle là où il touche le sol.</translation>
     </message>
     <message>
         <source>Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².</source>
@@ -4499,12 +4499,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Chaque pas doit ajouter v Δt à la position.</translation>
     </message>
     <message>
-        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, it rests one step later; without gravity it goes on.</source>
-        <translation>Parti avec %1 m/s sous la pesanteur %2 m/s², loin de toute paroi et de tout autre cercle, il est au repos un pas plus tard&#xa0;; sans pesanteur, il continue.</translation>
+        <source>Started with %1 m/s under gravity %2 m/s², away from every wall and every other circle, its velocity is 0 one step later; without gravity it keeps it.</source>
+        <translation>Parti avec %1 m/s sous la pesanteur %2 m/s², loin de toute paroi et de tout autre cercle, sa vitesse est nulle un pas plus tard&#xa0;; sans pesanteur, il la garde.</translation>
     </message>
     <message>
-        <source>Started with %1 m/s, away from every wall and every other circle, it rests one step later.</source>
-        <translation>Parti avec %1 m/s, loin de toute paroi et de tout autre cercle, il est au repos un pas plus tard.</translation>
+        <source>Started with %1 m/s, away from every wall and every other circle, its velocity is 0 one step later.</source>
+        <translation>Parti avec %1 m/s, loin de toute paroi et de tout autre cercle, sa vitesse est nulle un pas plus tard.</translation>
     </message>
     <message>
         <source>Under gravity a step took the velocity of %who away</source>
@@ -4697,6 +4697,14 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>They go on side by side and do not part: each gets only half of the change that an elastic hit makes. Look for a factor 2 that is missing, or for a half or a mean.</source>
         <translation>Ils continuent côte à côte et ne se séparent pas&#xa0;: chacun ne reçoit que la moitié du changement que fait un choc élastique. Cherchez un facteur 2 qui manque, ou bien une moitié ou une moyenne.</translation>
+    </message>
+    <message>
+        <source>In your own scene the walls do not use the e that it has</source>
+        <translation>Dans votre propre scène, les parois n&apos;utilisent pas le e qu&apos;elle a</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et en est reparti à %4 m/s, soit environ %5 fois autant, et `restitution` vaut %6. D&apos;autres scènes donnent le bon résultat. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
     </message>
 </context>
 <context>

@@ -123,10 +123,11 @@ public:
             isOfGravity
                 ? FlightText::tr(
                       "Started with %1 m/s under gravity %2 m/s², away from every wall and every "
-                      "other circle, it rests one step later; without gravity it goes on.")
+                      "other circle, its velocity is 0 one step later; without gravity it keeps "
+                      "it.")
                       .arg(brief(flight(0).startedWith), brief(gravity()))
                 : FlightText::tr("Started with %1 m/s, away from every wall and every other "
-                                 "circle, it rests one step later.")
+                                 "circle, its velocity is 0 one step later.")
                       .arg(brief(flight(0).startedWith));
         return said(isOfGravity
                         ? FlightText::tr("Under gravity a step took the velocity of %who away")

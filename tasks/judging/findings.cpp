@@ -7,6 +7,7 @@
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/last_assignment.h"
 #include "tasks/judging/own_meeting_words.h"
+#include "tasks/judging/own_wall_words.h"
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/step_deviations.h"
 #include "tasks/judging/task_laws.h"
@@ -56,6 +57,8 @@ public:
             take(aspect, said.deviations);
             if (aspect == Aspect::Motion)
                 m_motion = std::move(said);
+            if (aspect == Aspect::Walls)
+                takeOwnWalls();
         }
         takeMissedMeeting();
         takeRestitution();
@@ -86,6 +89,16 @@ private:
             return;
         if (const auto missed = missedMeeting(m_task, m_submission, m_checks))
             addToStart(*missed);
+    }
+
+    /// That walls are right but in the own scene, where e is asked for.
+    void takeOwnWalls()
+    {
+        if (m_ground.walls.restitutions.size() < 2 || m_own.walls().judged.empty()
+            || !m_findings.empty())
+            return;
+        if (const auto other = ownWallShare(m_task, m_submission, m_checks))
+            take(Aspect::Walls, {*other});
     }
 
     /// Behind what is said of the start, before all else.

@@ -241,13 +241,14 @@ private:
                 && !m_isElsewhere) {
                 m_found.push_back(
                     {Aspect::Course,
-                     WallText::tr("The floor does not hold circle %1 up\n\nAfter %2 s near the "
-                                  "floor its rim is %3 m below it, and deeper than before: the "
-                                  "floor changes its velocity, and yet gravity pulls it on. Put "
-                                  "the circle back where it touches.")
+                     WallText::tr(
+                         "The floor does not hold circle %1 up\n\nHere e is %4. After %2 s "
+                         "near the floor its rim is %3 m below it, and deeper than "
+                         "before: the floor changes its velocity, and yet gravity pulls "
+                         "it on. Put the circle back where it touches.")
                          .arg(drop.circle + 1)
                          .arg(brief(static_cast<double>(drop.step) * drop.stage.preset.timestep),
-                              brief(drop.depth)),
+                              brief(drop.depth), brief(drop.restitution)),
                      {drop.stage, drop.step, {drop.circle}, true}});
                 return;
             }

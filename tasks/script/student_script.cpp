@@ -106,7 +106,8 @@ std::optional<ProgramError> StudentScript::load(lua_State *L)
     endCount(L);
     if (status != LUA_OK)
         return errorOf(L, status);
-    if (auto error = meantOtherwise(m_source))
+    // Nobody reads what is meant by a program that is made and run but once.
+    if (auto error = m_options.once ? std::nullopt : meantOtherwise(m_source))
         return error;
     if (m_engine->host.memory.longestText() < limits::textBytesPerInstruction
         && takesLittle(m_source, m_engine->host.circles.size()))

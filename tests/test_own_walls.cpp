@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/own_wall_words.h"
+
+#include "tasks/judging/judgement.h"
+#include "tests/told_numbers.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::told;
+
+/// What is said of walls that are right in every scene but the student's own.
+class TestOwnWalls : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void copyOfEIsTold();
+    void rightWallsAreNotBlamed();
+
+private:
+    /// Of step 17, with its own scene.
+    [[nodiscard]] CheckReport reportOf(const QString &start, const LawProgram &pieces,
+                                       const Structure &structure) const
+    {
+        LawProgram program = pieces;
+        program.start = start
+                        + QStringLiteral("gravity = vec(0, -9.81) "
+                                         "circle1.position, circle1.velocity = "
+                                         "vec(-2.5, 2), vec(1, 0) "
+                                         "circle2.position, circle2.velocity = "
+                                         "vec(0, 2), vec(-1, 0) "
+                                         "circle1.radius, circle2.radius = 0.2, 0.2 "
+                                         "circle1.density, circle2.density = 1, 2 ");
+        const Task &of = task(QLatin1String("L42T17"));
+        return *judgeTask(m_lab, of, Submission(of.preset, written(program, structure)), 1);
+    }
+    [[nodiscard]] static QString bodyIn(const CheckReport &report)
+    {
+        for (const Finding &finding : report.findings) {
+            if (finding.message.startsWith(
+                    QLatin1String("In your own scene the walls do not use the e that it has")))
+                return finding.message.section(QLatin1String("\n\n"), 1);
+        }
+        return {};
+    }
+};
+
+void TestOwnWalls::copyOfEIsTold()
+{
+    const QString start = QStringLiteral("kept = restitution restitution = 0.75 ");
+    for (const int structure : {0, 3}) {
+        for (const WallWay &way : {wallWays[0], wallWays[1]}) {
+            const LawProgram pieces{.walls = wallsOf(way, "c.radius", "kept"),
+                                    .hit = hitOf(hitWays[0], {.e = QStringLiteral("restitution")})};
+            const QString body = bodyIn(reportOf(start, pieces, structures[structure]));
+            const auto n = numbersIn(
+                body,
+                "Circle # came to the * with # m/s and left it with # m/s, which is about # times "
+                "as much, and `restitution` is #. Other scenes come out right.");
+            QVERIFY2(n.size() == 5, qPrintable(body));
+            QVERIFY(std::abs(n[3] - task(QLatin1String("L42T17")).preset.restitution) < 0.003);
+            QVERIFY(isNear(n[2], n[3] * n[1]));
+            QCOMPARE(n[4], 0.75);
+        }
+    }
+}
+
+void TestOwnWalls::rightWallsAreNotBlamed()
+{
+    const LawProgram pieces{.walls = wallsOf(wallWays[1], "c.radius", "kept"),
+                            .hit = hitOf(hitWays[0], {.e = QStringLiteral("1")})};
+    const CheckReport report =
+        reportOf(QStringLiteral("restitution = 0.75 kept = restitution "), pieces, structures[0]);
+    QVERIFY(!report.passed);
+    QCOMPARE(bodyIn(report), QString());
+}
+
+QTEST_GUILESS_MAIN(TestOwnWalls)
+#include "test_own_walls.moc"
