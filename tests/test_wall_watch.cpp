@@ -74,8 +74,9 @@ void TestWallWatch::roundingDisturbsNobody_data()
     QTest::newRow("nothing") << 0.0 << 0.0 << false << false;
     QTest::newRow("hardly a kick") << 3e-7 << 0.0 << false << false;
     QTest::newRow("a kick") << 3e-6 << 0.0 << true << true;
-    QTest::newRow("hardly a shift") << 0.0 << 3e-7 << false << false;
-    QTest::newRow("a shift") << 0.0 << 3e-6 << false << true;
+    // Of a way of some 9 mm in a step.
+    QTest::newRow("hardly a shift") << 0.0 << 7e-4 << false << false;
+    QTest::newRow("a shift") << 0.0 << 1.3e-3 << false << true;
 }
 
 /// What the other circle is given when one is turned at a wall.
