@@ -133,7 +133,8 @@ void TestGround::rangesOfAllChecksAreTaken()
     QCOMPARE(ground.gravities, (std::vector{Vec2{0.0, -9.81}, Vec2{}}));
 }
 
-/// Twenty: more than 0.65 m from each other (the four in the middle 2.5 m) and 0.7 m from the walls.
+/// Twenty: more than 0.65 m from each other (the four in the middle 2.5 m), and 0.7 m from the
+/// walls.
 void TestGround::nobodyIsInTheWayOnTheStage()
 {
     std::vector<int> circles(20);
