@@ -47,9 +47,12 @@ public:
         take(Aspect::Start, m_deviations.of(m_own, Aspect::Start));
         for (const Aspect aspect :
              {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
-            if (aspect == Aspect::Walls)
+            if (aspect == Aspect::Walls) {
                 takeUnchanged();
-            if (!m_deviations.isAsked(aspect) || (aspect == Aspect::Motion && isTurnedAhead())
+                giveRoom();
+            }
+            if (!m_deviations.isAsked(aspect)
+                || (aspect == Aspect::Motion && (isTurnedAhead() || isTurnedFar()))
                 || (aspect == Aspect::Response && m_unchanged)
                 || (aspect != Aspect::Motion && (m_motion.isOfPlace || hidesHits())))
                 continue;
@@ -147,6 +150,40 @@ private:
                && std::any_of(walls.begin(), walls.end(), [](const LawDeviation &wall) {
                       return wall.family == QLatin1String("ahead");
                   });
+    }
+
+    /// Whether the one thing that is wrong with the motion is that a wall turns a circle in the
+    /// first step of the own scene, far from where it should: that is no fault of the motion.
+    [[nodiscard]] bool isTurnedFar() const
+    {
+        const auto motion = m_deviations.of(m_own, Aspect::Motion);
+        if (m_ground.walls.circles.empty() || motion.size() != 1
+            || motion.front().moment.stage.pinned || !m_deviations.failedOf(Aspect::Walls))
+            return false;
+        const MeasuredFlight::Own &own = m_own.flight().own();
+        const std::vector<int> &circles = motion.front().moment.circles;
+        return std::all_of(circles.begin(), circles.end(), [&](int circle) {
+            const auto i = static_cast<std::size_t>(circle);
+            const Circle &c = own.scene.circles[i].body;
+            const Vec2 next = c.velocity + own.scene.timestep * own.accelerations[i];
+            return std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+                const Vec2 n = outwardNormal(wall);
+                return dot(n, c.velocity) * dot(n, next) < 0.0
+                       && m_own.walls().turnsFarAt(circle, wall,
+                                                   own.scene.halfWidth - dot(n, c.position));
+            });
+        });
+    }
+
+    /// Lets circles meet where no wall turns them, far from where it should.
+    void giveRoom()
+    {
+        constexpr double most = 2.4;    // m from the middle, of the meetings
+        constexpr double around = 0.75; // of one, m: two circles, and the way until they meet
+        if (!m_ground.pair.asked || !m_deviations.isAsked(Aspect::Walls))
+            return;
+        const double room = m_own.walls().freeRoom();
+        m_ground.pair.room = std::clamp((room - around) / most, 0.0, 1.0);
     }
 
     /// Whether hits cannot be seen through what is wrong with the motion.

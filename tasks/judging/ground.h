@@ -38,6 +38,9 @@ struct Ground {
         std::vector<double> restitutions{};
         Range radii{0.2, 0.2};     ///< m
         Range densities{7.8, 7.8}; ///< 1000 kg/m³
+        /// How far from the middle they meet, of what an empty stage allows: less where walls turn
+        /// circles that are far from them.
+        double room = 1.0;
     };
 
     /// \param own  the student's preset: laws and integrators are his

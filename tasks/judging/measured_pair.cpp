@@ -191,7 +191,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     const double e = *std::max_element(asked.restitutions.begin(), asked.restitutions.end());
     const PairVelocities gentle = gentleThrow(asked);
     for (const auto &[degrees, middle] : aroundAndAbout) {
-        Meeting m{degrees, small, large, light, light, e, gentle, middle};
+        Meeting m{degrees, small, large, light, light, e, gentle, asked.room * middle};
         // A circle at rest is met, too.
         if (asked.bothMove && degrees == 131.0)
             m.velocities = {1.2, gentle.across1, 0.0, 0.0};

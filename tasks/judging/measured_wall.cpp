@@ -107,6 +107,33 @@ bool MeasuredWalls::turnsAtRim(int circle, Wall wall) const
     });
 }
 
+namespace {
+
+/// Whether it came from the middle, flew a while and was turned there.
+bool isFarTurn(const WallHit &hit)
+{
+    return hit.turned && hit.step > 1 && hit.back > 0.0;
+}
+
+} // namespace
+
+bool MeasuredWalls::turnsFarAt(int circle, Wall wall, double distance) const
+{
+    return std::any_of(middle.begin(), middle.end(), [&](const WallHit &hit) {
+        return hit.circle == circle && hit.wall == wall && isFarTurn(hit) && distance < hit.before;
+    });
+}
+
+double MeasuredWalls::freeRoom() const
+{
+    double room = std::numeric_limits<double>::infinity();
+    for (const WallHit &hit : middle) {
+        if (isFarTurn(hit))
+            room = std::min(room, hit.stage.preset.halfWidth - hit.before);
+    }
+    return room;
+}
+
 void MeasuredWalls::findLost(int circle)
 {
     for (WallHit &hit : hits) {

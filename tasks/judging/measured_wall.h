@@ -98,6 +98,13 @@ struct MeasuredWalls {
     /// Whether all of them that turn it do so when its rim is there.
     [[nodiscard]] bool turnsAtRim(int circle, Wall wall) const;
 
+    /// Whether that circle is known to be turned by \p wall, far from it, when its centre is
+    /// \p distance from it, m.
+    [[nodiscard]] bool turnsFarAt(int circle, Wall wall, double distance) const;
+    /// How far from the middle circles are turned by no wall, m; infinite where none is known to
+    /// turn them far from it.
+    [[nodiscard]] double freeRoom() const;
+
     std::vector<WallHit> hits{}; ///< circle by circle, wall by wall
     std::vector<WallHit>
         corners{};               ///< of those hits both parts should turn; \c along tells the other

@@ -47,9 +47,10 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
     const bool isElsewhere = model.isMet() && !model.fits(meeting.sum());
     const double aim = isElsewhere ? 0.5 * (model.before + model.reached) : meeting.sum();
     const auto at = [&](Vec2 place, double speed = 1.0, double turn = 0.0) {
-        PairOccasion one{{.meeting = meeting, .slowness = slowness(shortStep)}, {.place = place}};
+        PairOccasion one{{.meeting = meeting, .slowness = slowness(shortStep)},
+                         {.place = m_ground.pair.room * place}};
         Meeting &m = one.hit.meeting;
-        m.middle = place;
+        m.middle = one.when.place;
         // Where they answer is known of this line alone, if it is not where the rims meet.
         m.degrees += isElsewhere ? 0.0 : turn;
         m.velocities = faster(m.velocities, speed);

@@ -91,7 +91,8 @@ Meeting variedMeeting(int k, const Ground::Pair &asked, bool isSame)
     std::tie(m.radius1, m.radius2) = pairOf(asked.radii, k, 5, isSame);
     std::tie(m.density1, m.density2) = pairOf(asked.densities, k, 7, isSame || k % 7 < 2);
     m.velocities = comingOf(k, asked);
-    m.middle = {between(-2.4, 2.4, spread(k, 9)), between(-2.4, 2.4, spread(k, 10))};
+    const double far = 2.4 * asked.room;
+    m.middle = {between(-far, far, spread(k, 9)), between(-far, far, spread(k, 10))};
     return m;
 }
 

@@ -291,6 +291,26 @@ void blankKicks(std::vector<WallHit> &hits, const std::vector<WallHit> &right)
     }
 }
 
+/// Takes out what came so far beside the middle that a wall beside it turns it as well, far from
+/// that: what comes of both tells nothing of one.
+void blankCornered(MeasuredWalls &law)
+{
+    for (WallHit &hit : law.hits) {
+        const Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body;
+        const bool isCornered =
+            std::any_of(std::begin(allWalls), std::end(allWalls), [&](Wall wall) {
+                const Vec2 n = outwardNormal(wall);
+                return dot(n, outwardNormal(hit.wall)) == 0.0
+                       && law.turnsFarAt(hit.circle, wall,
+                                         hit.stage.preset.halfWidth - dot(n, c.position));
+            });
+        if (!isCornered)
+            continue;
+        hit.missed = true;
+        hit.turned = hit.held = false;
+    }
+}
+
 /// What \p law says of \p circles.
 MeasuredWalls only(MeasuredWalls law, const std::vector<int> &circles)
 {
@@ -319,6 +339,7 @@ std::vector<LawDeviation> wallDeviations(const MeasuredWalls &own, const Measure
         if (ground.pair.asked)
             blankKicks(mine.*part, theirs.*part);
     }
+    blankCornered(mine);
     return WallJudge(mine, theirs, ground).judge();
 }
 
