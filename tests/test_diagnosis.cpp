@@ -267,8 +267,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
         [](OtherForm &f) {
             f.answer += lab(" if closing > 0 then p.velocity = p.velocity:perpendicular() end");
         });
-    row("L42T14", "a third of the impulse",
-        "Between equal circles the push is 0.35 times as large as it should be",
+    row("L42T14", "a third of the impulse", "Equal circles get 0.35 times the right push",
         [](OtherForm &f) { edit(f.answer, "(1 + restitution)", "0.7"); });
     row("L42T16", "e by its root", "The root of e is used in the hit of two circles",
         [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 0.5"); });

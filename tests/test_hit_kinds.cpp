@@ -15,6 +15,7 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void headlineTellsForHowMany_data();
     void headlineTellsForHowMany();
+    void lineOfTheFirstHitIsTold();
     void answerOfTheOwnSceneIsNotDenied_data();
     void answerOfTheOwnSceneIsNotDenied();
     void wallBesideTheOtherIsNoAnswer();
@@ -75,8 +76,10 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "Each circle keeps its direction and gets the other's speed");
     row("half the velocity", "L42T9", "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity",
         "The circles do not stop in a hit");
-    row("circle 1 alone", "L42T9", "p.velocity = vec(0, 0)", "A hit stops circle 1 alone");
-    row("circle 2 alone", "L42T9", "q.velocity = vec(0, 0)", "A hit stops circle 2 alone");
+    row("circle 1 alone", "L42T9", "p.velocity = vec(0, 0)",
+        "A hit stops circle 1 and not circle 2");
+    row("circle 2 alone", "L42T9", "q.velocity = vec(0, 0)",
+        "A hit stops circle 2 and not circle 1");
     row("x alone", "L42T9", "p.velocity, q.velocity = vec(0, p.velocity.y), vec(0, q.velocity.y)",
         "A hit stops the x parts alone");
     row("normal of another length by direction", "L42T12",
@@ -89,6 +92,24 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "local deep = reach - d:length() "
         "p.position, q.position = p.position - 10 * deep * n, q.position + 10 * deep * n",
         "A hit puts the circles too far apart");
+    row("same velocities", "L42T12", "p.velocity, q.velocity = vec(-1, 0.5), vec(2, 0)",
+        "The velocities after a hit do not depend on those before");
+    row("same parts along", "L42T14",
+        "local a, b = p.velocity:dot(n), q.velocity:dot(n) "
+        "p.velocity, q.velocity = p.velocity + (-1.5 - a) * n, q.velocity + (0.5 - b) * n",
+        "The new parts along the normal do not depend on the old ones");
+    row("part across of the one that moves", "L42T11",
+        "local a = p.velocity:dot(n) p.velocity, q.velocity = vec(0, 0), q.velocity + a * n",
+        "Circle 1 loses its part across the normal");
+    row("mass of two of the other's", "L42T14",
+        "m2 = 2 * m1 local j = 2 * closing / (1 / m1 + 1 / m2) "
+        "p.velocity, q.velocity = p.velocity - j / m1 * n, q.velocity + j / m2 * n",
+        "The two masses have the same ratio in all hits tried");
+    row("radii in the mass of the other", "L42T14",
+        "m1, m2 = p.density * q.radius ^ 3, q.density * p.radius ^ 3 "
+        "local j = 2 * closing / (1 / m1 + 1 / m2) "
+        "p.velocity, q.velocity = p.velocity - j / m1 * n, q.velocity + j / m2 * n",
+        "The larger of two circles answers as the lighter one");
     row("stops upward", "L42T9",
         "if p.velocity.y > 0 then p.velocity, q.velocity = vec(0, 0), vec(0, 0) else "
         "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity end",
@@ -102,6 +123,18 @@ void TestHitKinds::headlineTellsForHowMany()
     QFETCH(QString, headline);
     const LawBench bench(task(QLatin1String(step)));
     QCOMPARE(said(bench, {.mass = text("1"), .answer = answer}), QStringList(headline));
+}
+
+/// Where circle 2 rests at first, nothing else tells that the line was kept.
+void TestHitKinds::lineOfTheFirstHitIsTold()
+{
+    const LawBench bench(task(QStringLiteral("L42T11")));
+    const HitLaw law{.answer =
+                         text("line = line or n local u = (p.velocity - q.velocity):dot(line) "
+                              "p.velocity = p.velocity - u * line "
+                              "q.velocity = q.velocity + u * line")};
+    QCOMPARE(said(bench, law, text("line = false")),
+             QStringList(text("A later hit is answered along the line of an earlier one")));
 }
 
 void TestHitKinds::answerOfTheOwnSceneIsNotDenied_data()

@@ -79,8 +79,11 @@ const Answer answers[] = {
     {"Circle 2 bounces as off a wall, and circle 1 stays as it was", {1.2, 0.4, 0.3, 0.1}},
     {"The parts across the line of centres turn round, not those along it",
      {1.2, -0.4, -0.3, -0.1}},
+    {"The circles exchange their whole velocities", {-0.3, 0.1, 1.2, 0.4}},
     {"Two equal circles exchange their whole velocities", {-0.3, 0.1, 1.2, 0.4}},
     {"The parts across change hands, and those along the normal stay", {1.2, 0.1, -0.3, 0.4}},
+    {"Circle 1 loses its part across the normal", {-0.3, 0, 1.2, 0.1}},
+    {"Circle 2 loses its part across the normal", {-0.3, 0.4, 1.2, 0}},
     {"The parts across the normal are lost", {-0.3, 0, 1.2, 0}},
     // Their speeds are as 4 to 1.
     {"Each circle keeps its direction and gets the other's speed", {0.3, 0.1, -1.2, 0.4}},

@@ -57,7 +57,7 @@ void TestPushSize::whatItDependsOnIsTold_data()
         const auto row = [&](const char *factor, const char *headline) {
             QTest::addRow("%s, %s", step, factor) << text(step) << text(factor) << text(headline);
         };
-        row("0.7", "Between equal circles the push is 0.7 times as large as it should be");
+        row("0.7", "Equal circles get 0.7 times the right push");
         row("p.radius * 3", "The push has a wrong size that depends on the radius");
         row("h * 60 * 0.7", "The push has a wrong size that depends on the timestep");
     }

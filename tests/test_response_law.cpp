@@ -57,7 +57,15 @@ void TestResponseLaw::faultIsNamed_data()
     answer("half of e",
            "local j = (1 + e / 2) * closing / (1 / m1 + 1 / m2) "
            "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
-           "Between equal circles the push is 0.75 times as large as it should be (with e = 1)");
+           "The push is multiplied by 1 + 0.5 e instead of 1 + e");
+    answer("less with more e",
+           "local j = (2.5 - e / 2) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
+           "The push is multiplied by 2.5 − 0.5 e instead of 1 + e");
+    answer("with a curve of e",
+           "local j = (1 + e / 2 + e ^ 3 / 4) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
+           "Equal circles get 0.875 times the right push (with e = 1)");
     answer("brackets",
            "p.velocity = p.velocity - (1 + e * closing * m2 / (m1 + m2)) * n "
            "q.velocity = q.velocity + (1 + e * closing * m1 / (m1 + m2)) * n",
@@ -83,7 +91,7 @@ void TestResponseLaw::faultIsNamed_data()
     rows("area and e squared",
          {.mass = text("c.density * c.radius ^ 2"), .e = text("restitution ^ 2")}, {area, squared});
     answer("swap", "p.velocity, q.velocity = q.velocity, p.velocity",
-           "Two equal circles exchange their whole velocities");
+           "The circles exchange their whole velocities");
     answer("no temp", "p.velocity = q.velocity q.velocity = p.velocity",
            "Both circles leave with the velocity of circle 2");
     answer("stop", "p.velocity, q.velocity = vec(0, 0), vec(0, 0)", "A hit stops both circles");
@@ -119,7 +127,7 @@ void TestResponseLaw::faultIsNamed_data()
     answer("twice the push",
            "local j = 2 * (1 + e) * closing / (1 / m1 + 1 / m2) "
            "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
-           "Between equal circles the push is 2 times as large as it should be");
+           "Equal circles get 2 times the right push");
     rows("mirrored", {.normal = text("vec(d.x, -d.y):normalized()"), .e = e},
          {text("The normal is mirrored: the sign of its y is wrong")});
     rows("x and y exchanged", {.normal = text("vec(d.y, d.x):normalized()"), .e = e},

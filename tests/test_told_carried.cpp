@@ -17,6 +17,7 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void velocityThatIsSetIsTold_data();
     void velocityThatIsSetIsTold();
+    void velocitiesThatAreExchangedAreTold();
     void velocityOfAnotherIsTold();
     void slowOnesThatStopAreTold();
     void placeThatIsMultipliedIsTold_data();
@@ -50,7 +51,7 @@ void TestToldCarried::velocityThatIsSetIsTold_data()
                                 << "The velocity of both circles is set anew in every step"
                                 << Vec2{1.5, -2.0};
     QTest::newRow("to rest") << "vec(0, 0)"
-                             << "Away from everything a step took the velocity of both circles"
+                             << "In free flight a step took the velocity of both circles away"
                              << Vec2{kept, kept};
     QTest::newRow("to rest under gravity")
         << "gravity:length() > 0 and vec(0, 0) or c.velocity"
@@ -91,6 +92,22 @@ void TestToldCarried::velocityThatIsSetIsTold()
     QVERIFY(std::isnan(made.x) ? isNear(n[2], n[0]) : isNear(n[2], made.x));
     QVERIFY(std::isnan(made.y) ? isNear(n[3], n[1] - 9.81 / 60.0) : isNear(n[3], made.y));
     QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[2], n[3]}));
+}
+
+/// Each has what the other had, with gravity added.
+void TestToldCarried::velocitiesThatAreExchangedAreTold()
+{
+    const QString said =
+        body(QStringLiteral("function on_update(h) "
+                            "circle1.position = circle1.position + circle1.velocity * h "
+                            "circle2.position = circle2.position + circle2.velocity * h "
+                            "circle1.velocity, circle2.velocity = circle2.velocity + gravity * h, "
+                            "circle1.velocity + gravity * h end"),
+             "Each circle goes on with the velocity of the other");
+    const auto n = numbersIn(said, "started with (#, #) m/s, circle # has (#, #) m/s.");
+    QVERIFY2(n.size() == 5, qPrintable(said));
+    QCOMPARE(n[2], 1.0);
+    QVERIFY(!isNear(Vec2{n[0], n[1] - 9.81 / 60.0}, Vec2{n[3], n[4]}));
 }
 
 /// Circle 2 has what circle 1 had, with gravity added.

@@ -151,9 +151,9 @@ void TestToldMeetings::noAnswerAtAllIsTold()
     QCOMPARE(numbersIn(never, "From all # directions"), std::vector<double>{9.0});
     const QString held = text("The circles are put back and keep their velocities");
     QVERIFY(body("L42T14", {.answer = text("p.position, q.position = oldp, oldq")}, held)
-                .startsWith(QLatin1String("When they touched both were set to another place")));
+                .startsWith(QLatin1String("When they touched both were taken away")));
     QVERIFY(body("L42T14", {.answer = text("p.position = oldp + p.velocity * h")}, held)
-                .startsWith(QLatin1String("When they touched circle 2 was set")));
+                .startsWith(QLatin1String("When they touched circle 2 was taken away")));
 }
 
 /// Where e is 1 it comes to nothing.

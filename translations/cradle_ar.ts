@@ -2343,14 +2343,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩، ومع كثافة أخرى مشتركة مضروبةً في ⁨%2⁩. قارن بين سطري الكتلتين.</translation>
     </message>
     <message>
-        <source>The masses are numbers, not those of the circles</source>
-        <translation>الكتلتان عددان، لا كتلتا الدائرتين</translation>
-    </message>
-    <message>
-        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
-        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩. احسب الكتلتين من ⁦`radius`⁩ و⁦`density`⁩، اللتين تغيّرهما مشاهد أخرى.</translation>
-    </message>
-    <message>
         <source>Here two circles of the same mass meet. </source>
         <translation>هنا تلتقي دائرتان متساويتا الكتلة. </translation>
     </message>
@@ -2713,10 +2705,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>The parts across it must stay as they were.</source>
         <translation>المركّبات المعامدة له يجب أن تبقى كما كانت.</translation>
-    </message>
-    <message>
-        <source>Between equal circles the push is %1 times as large as it should be</source>
-        <translation>بين دائرتين متساويتين الدفع يساوي ما يجب مضروبًا في ⁨%1⁩</translation>
     </message>
     <message>
         <source>The push has the wrong size</source>
@@ -4065,10 +4053,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>قُذفت الدائرة ⁨%3⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ فمضت إلى ما بعده. وفي الوسط تغيّرت سرعتها من ⁨%4⁩ إلى ⁦%5 m/s⁩ والدائرة ⁨%6⁩ وراء ذلك الجدار. انظر موضع أيّ دائرة يرد في السؤال.</translation>
     </message>
     <message>
-        <source>Circle %3 is answered only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>لا يُستجاب للدائرة ⁨%3⁩ إلا حين يتجاوز مركزها الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
-    </message>
-    <message>
         <source>Some hits at the %walls turn %who round too early</source>
         <translation>بعض التصادمات عند %walls تردّ %who قبل الأوان</translation>
     </message>
@@ -4271,10 +4255,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>هكذا هو عند بدء التشغيل. وبهذا المعامل e لا يجتاز حتى برنامج صحيح الفحص «⁨%1⁩».</translation>
     </message>
     <message>
-        <source>In your own scene the first comes out wrong, too.</source>
-        <translation>وفي مشهدك لا تصحّ نتيجة الأول أيضًا.</translation>
-    </message>
-    <message>
         <source>%1 (in some hits)</source>
         <translation>%1 (في بعض التصادمات)</translation>
     </message>
@@ -4443,14 +4423,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>لا يوقف التصادم إلا مركّبتي ⁦y⁩</translation>
     </message>
     <message>
-        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s. Both parts of a velocity have to become 0.</source>
-        <translation>جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩، وجاءت الدائرة 2 بسرعة ⁦%3 m/s⁩ وغادرت بسرعة ⁦%4 m/s⁩. يجب أن تصير مركّبتا السرعة كلتاهما 0.</translation>
-    </message>
-    <message>
-        <source>A hit stops circle %1 alone</source>
-        <translation>التصادم لا يوقف إلا الدائرة ⁨%1⁩</translation>
-    </message>
-    <message>
         <source>The floor does not hold circle %1 up
 
 Here e is %4. After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
@@ -4563,10 +4535,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تحت الجاذبية أزالت خطوة سرعة %who</translation>
     </message>
     <message>
-        <source>Away from everything a step took the velocity of %who</source>
-        <translation>بعيدًا عن كل شيء أزالت خطوة سرعة %who</translation>
-    </message>
-    <message>
         <source>Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
         <translation>انظر إلى الأسطر التي توقف دائرة وإلى ما يُسأل قبلها: هل يتحقق مع أن لا شيء يتلامس؟</translation>
     </message>
@@ -4621,18 +4589,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Look at whether the two places are subtracted: their sum is not the way from one to the other.</source>
         <translation>انظر هل يُطرح أحد الموضعين من الآخر: فمجموعهما ليس الطريق من أحدهما إلى الآخر.</translation>
-    </message>
-    <message>
-        <source>A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
-        <translation>التصادم يغيّر السرعات: انظر هل تُنفَّذ تلك الأسطر، وعمّ تسأل، وهل تعيد أسطر أخرى السرعات كما كانت.</translation>
-    </message>
-    <message>
-        <source>When they touched both were set to another place, and after the step they had the velocities of before.</source>
-        <translation>عند تلامسهما وُضعت كلتاهما في موضع آخر، وبعد الخطوة كانت لهما السرعتان السابقتان.</translation>
-    </message>
-    <message>
-        <source>When they touched circle %1 was set to another place, and after the step both had the velocities of before.</source>
-        <translation>عند تلامسهما وُضعت الدائرة ⁨%1⁩ في موضع آخر، وبعد الخطوة كانت لكلتيهما السرعتان السابقتان.</translation>
     </message>
     <message>
         <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity.</source>
@@ -4757,6 +4713,152 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
         <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وغادرته بسرعة ⁦%4 m/s⁩، أي نحو ⁦%5⁩ مرة من ذلك، و⁦`restitution`⁩ هو ⁨%6⁩. المشاهد الأخرى تخرج صحيحة. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
+    </message>
+    <message>
+        <source>Each circle goes on with the velocity of the other</source>
+        <translation>تواصل كل دائرة سيرها بسرعة الأخرى</translation>
+    </message>
+    <message>
+        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it.</source>
+        <translation>كيفما كانت البداية تأتي سرعة كلٍّ منهما بعد خطوة واحدة من سرعة الأخرى: بدأت الدائرة ⁨%2⁩ بسرعة ⁦%1 m/s⁩ فصارت ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في الأسطر التي تغيّرها.</translation>
+    </message>
+    <message>
+        <source>In free flight a step took the velocity of %who away</source>
+        <translation>في الطيران الحر أزالت خطوة سرعة %who</translation>
+    </message>
+    <message>
+        <source>What a hit makes is worked out from the velocities before it.</source>
+        <translation>ما ينتج عن التصادم يُحسب من السرعات التي قبله.</translation>
+    </message>
+    <message>
+        <source>The velocities after a hit do not depend on those before</source>
+        <translation>السرعتان بعد التصادم لا تتعلقان بالسرعتين قبله</translation>
+    </message>
+    <message>
+        <source>From all hits tried circle 1 leaves with %1 m/s and circle 2 with %2 m/s.</source>
+        <translation>من كل التصادمات المجرّبة تغادر الدائرة 1 بسرعة ⁦%1 m/s⁩ والدائرة 2 بسرعة ⁦%2 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>The new parts along the normal do not depend on the old ones</source>
+        <translation>المركّبتان الجديدتان على الناظم لا تتعلقان بالقديمتين</translation>
+    </message>
+    <message>
+        <source>Along the line of centres, from 1 to 2, circle 1 leaves all hits tried with %1 m/s and circle 2 with %2 m/s.</source>
+        <translation>على خط المركزين، من 1 إلى 2، تغادر الدائرة 1 كل التصادمات المجرّبة بسرعة ⁦%1 m/s⁩ والدائرة 2 بسرعة ⁦%2 m/s⁩.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early: %2.</source>
+        <translation>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، لم تأتِ الاستجابة، في وقتها أو مبكرة، في أي لقاء: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في لقاء واحد: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في لقاءين: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في %n: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في %n: %2.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في %n: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early.</source>
+        <translation>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، لم تأتِ الاستجابة، في وقتها أو مبكرة، في أي لقاء.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في لقاء واحد.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في لقاءين.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في %n.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في %n.</numerusform>
+            <numerusform>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة، في وقتها أو مبكرة، في %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A hit changes velocities: look at whether the lines for that run, at what is asked before them, and at whether later lines change the velocities back.</source>
+        <translation>التصادم يغيّر السرعات: انظر هل تُنفَّذ الأسطر التي تفعل ذلك، وعمّ يُسأل قبلها، وهل تعيد أسطر لاحقة السرعات كما كانت.</translation>
+    </message>
+    <message>
+        <source>When they touched both were taken away from where they had come to, and after the step they had the velocities of before.</source>
+        <translation>عند تلامسهما نُقلت كلتاهما من حيث وصلتا، وبعد الخطوة كانت لهما السرعتان السابقتان.</translation>
+    </message>
+    <message>
+        <source>When they touched circle %1 was taken away from where it had come to, and after the step both had the velocities of before.</source>
+        <translation>عند تلامسهما نُقلت الدائرة ⁨%1⁩ من حيث وصلت، وبعد الخطوة كانت لكلتيهما السرعتان السابقتان.</translation>
+    </message>
+    <message>
+        <source>In the first hit of a run the line of centres was at %1°, in a later one at %2°. Both times the push was along the first line. Every hit has a normal of its own: work it out anew.</source>
+        <translation>في أول تصادم من تشغيل كان خط المركزين عند ⁦%1°⁩، وفي تصادم لاحق عند ⁦%2°⁩. وفي المرتين كان الدفع على الخط الأول. لكل تصادم ناظم خاص به: احسبه من جديد.</translation>
+    </message>
+    <message>
+        <source>The larger of two circles answers as the lighter one</source>
+        <translation>تستجيب الكبرى من الدائرتين كأنها الأخف</translation>
+    </message>
+    <message>
+        <source>Of the same density it is the heavier one. Look at whose radius stands in which mass, and at which mass stands where.</source>
+        <translation>وهي عند تساوي الكثافة الأثقل. انظر نصف قطر أيّ دائرة يرد في أيّ كتلة، وأيّ كتلة ترد أين.</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with ρ₁ = %2 and ρ₂ = %3 as if it were %4 times. Compare the lines for the two masses.</source>
+        <translation>دائرتان متساويتان في نصف القطر والكثافة تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩، ومع ⁦ρ₁ = %2⁩ و⁦ρ₂ = %3⁩ مضروبةً في ⁨%4⁩. قارن بين سطري الكتلتين.</translation>
+    </message>
+    <message>
+        <source>The two masses have the same ratio in all hits tried</source>
+        <translation>للكتلتين النسبة نفسها في كل التصادمات المجرّبة</translation>
+    </message>
+    <message>
+        <source>Of whatever size and density the two are, they answer as if circle 2 were %1 times as heavy as circle 1. Work each mass out from the `radius` and `density` of its own circle, which other scenes change.</source>
+        <translation>مهما كان حجم الدائرتين وكثافتهما فإنهما تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩. احسب كل كتلة من ⁦`radius`⁩ و⁦`density`⁩ لدائرتها هي، اللذين تغيّرهما مشاهد أخرى.</translation>
+    </message>
+    <message>
+        <source>In your own scene even the first comes out wrong.</source>
+        <translation>وفي مشهدك لا تصحّ حتى نتيجة الأول.</translation>
+    </message>
+    <message>
+        <source>In your own scene, where circle 2 rests, the first hit comes out right.</source>
+        <translation>في مشهدك، حيث الدائرة 2 ساكنة، تصحّ نتيجة التصادم الأول.</translation>
+    </message>
+    <message>
+        <source>Equal circles get %1 times the right push</source>
+        <translation>تتلقى دائرتان متساويتان الدفع الصحيح مضروبًا في ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by %1 + %2 e instead of 1 + e</source>
+        <translation>الدفع مضروب في ⁦%1 + %2 e⁩ بدلًا من ⁦1 + e⁩</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by %1 − %2 e instead of 1 + e</source>
+        <translation>الدفع مضروب في ⁦%1 − %2 e⁩ بدلًا من ⁦1 + e⁩</translation>
+    </message>
+    <message>
+        <source>Both parts of a velocity have to become 0.</source>
+        <translation>يجب أن تصير مركّبتا السرعة كلتاهما 0.</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 1 and not circle 2</source>
+        <translation>يوقف التصادم الدائرة 1 ولا يوقف الدائرة 2</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 2 and not circle 1</source>
+        <translation>يوقف التصادم الدائرة 2 ولا يوقف الدائرة 1</translation>
+    </message>
+    <message>
+        <source>A hit has to stop both.</source>
+        <translation>يجب أن يوقف التصادم كلتيهما.</translation>
+    </message>
+    <message>
+        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s.</source>
+        <translation>جاءت الدائرة 1 بسرعة ⁦%1 m/s⁩ وغادرت بسرعة ⁦%2 m/s⁩، وجاءت الدائرة 2 بسرعة ⁦%3 m/s⁩ وغادرت بسرعة ⁦%4 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>The circles exchange their whole velocities</source>
+        <translation>تتبادل الدائرتان سرعتيهما كاملتين</translation>
+    </message>
+    <message>
+        <source>Circle 1 loses its part across the normal</source>
+        <translation>تفقد الدائرة 1 مركّبتها المعامدة للناظم</translation>
+    </message>
+    <message>
+        <source>Circle 2 loses its part across the normal</source>
+        <translation>تفقد الدائرة 2 مركّبتها المعامدة للناظم</translation>
+    </message>
+    <message>
+        <source>Circle %3 is turned only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>لا ترتدّ الدائرة ⁨%3⁩ إلا حين يتجاوز مركزها الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
     </message>
 </context>
 <context>

@@ -2251,14 +2251,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Für %who folgt die Bewegung keinem bekannten Verfahren; verlangt ist: %1</translation>
     </message>
     <message>
-        <source>The masses are numbers, not those of the circles</source>
-        <translation>Die Massen sind Zahlen, nicht die der Kreise</translation>
-    </message>
-    <message>
-        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
-        <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1. Rechne die Massen aus `radius` und `density` aus, die sich in anderen Szenen ändern.</translation>
-    </message>
-    <message>
         <source>Here two circles of the same mass meet. </source>
         <translation>Hier treffen sich zwei Kreise gleicher Masse. </translation>
     </message>
@@ -2773,10 +2765,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>In your own scene gravity is %1 m/s²; the velocity changes by %2 m/s in the first step and by %3 m/s in the second. Look at what else changes the velocity, away from any hit.</source>
         <translation>In deiner eigenen Szene beträgt die Schwerkraft %1 m/s²; die Geschwindigkeit ändert sich im ersten Schritt um %2 m/s und im zweiten um %3 m/s. Sieh nach, was die Geschwindigkeit sonst noch ändert, fern von jedem Stoß.</translation>
-    </message>
-    <message>
-        <source>Between equal circles the push is %1 times as large as it should be</source>
-        <translation>Zwischen gleichen Kreisen ist der Kraftstoß %1-mal so groß, wie er sein soll</translation>
     </message>
     <message>
         <source>A hit soon after another is not answered</source>
@@ -4021,10 +4009,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Mit %2 m/s zu %1 geworfen, ging Kreis %3 darüber hinaus. In der Mitte änderte sich seine Geschwindigkeit von %4 auf %5 m/s, während Kreis %6 hinter dieser Wand war. Sieh dir an, wessen Ort in der Frage steht.</translation>
     </message>
     <message>
-        <source>Circle %3 is answered only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Auf Kreis %3 wird erst geantwortet, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
-    </message>
-    <message>
         <source>Some hits at the %walls turn %who round too early</source>
         <translation>Manche Stöße an %walls lassen %who zu früh umkehren</translation>
     </message>
@@ -4219,10 +4203,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>So ist es, wenn der Lauf beginnt. Mit diesem e besteht auch ein richtiges Programm die Prüfung „%1“ nicht.</translation>
     </message>
     <message>
-        <source>In your own scene the first comes out wrong, too.</source>
-        <translation>In deiner eigenen Szene geht auch der erste falsch aus.</translation>
-    </message>
-    <message>
         <source>%1 (in some hits)</source>
         <translation>%1 (in manchen Stößen)</translation>
     </message>
@@ -4391,14 +4371,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>Ein Stoß hält nur die y-Anteile an</translation>
     </message>
     <message>
-        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s. Both parts of a velocity have to become 0.</source>
-        <translation>Kreis 1 kam mit %1 m/s und ging mit %2 m/s, Kreis 2 kam mit %3 m/s und ging mit %4 m/s. Beide Anteile einer Geschwindigkeit müssen 0 werden.</translation>
-    </message>
-    <message>
-        <source>A hit stops circle %1 alone</source>
-        <translation>Ein Stoß hält nur Kreis %1 an</translation>
-    </message>
-    <message>
         <source>The floor does not hold circle %1 up
 
 Here e is %4. After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
@@ -4511,10 +4483,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Unter Schwerkraft nahm ein Schritt die Geschwindigkeit weg (%who)</translation>
     </message>
     <message>
-        <source>Away from everything a step took the velocity of %who</source>
-        <translation>Fern von allem nahm ein Schritt die Geschwindigkeit weg (%who)</translation>
-    </message>
-    <message>
         <source>Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
         <translation>Sieh dir die Zeilen an, die einen Kreis anhalten, und was davor gefragt wird: Trifft es zu, obwohl sich nichts berührt?</translation>
     </message>
@@ -4569,18 +4537,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Look at whether the two places are subtracted: their sum is not the way from one to the other.</source>
         <translation>Sieh nach, ob die beiden Orte voneinander abgezogen werden: Ihre Summe ist nicht der Weg vom einen zum anderen.</translation>
-    </message>
-    <message>
-        <source>A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
-        <translation>Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob diese Zeilen laufen, was sie fragen und ob andere die Geschwindigkeiten wieder zurückändern.</translation>
-    </message>
-    <message>
-        <source>When they touched both were set to another place, and after the step they had the velocities of before.</source>
-        <translation>Als sie sich berührten, wurden beide an einen anderen Ort gesetzt, und nach dem Schritt hatten sie die Geschwindigkeiten von vorher.</translation>
-    </message>
-    <message>
-        <source>When they touched circle %1 was set to another place, and after the step both had the velocities of before.</source>
-        <translation>Als sie sich berührten, wurde Kreis %1 an einen anderen Ort gesetzt, und nach dem Schritt hatten beide die Geschwindigkeiten von vorher.</translation>
     </message>
     <message>
         <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity.</source>
@@ -4705,6 +4661,144 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
         <translation>Kreis %1 kam mit %3 m/s an %2 an und ging mit %4 m/s, das ist etwa das %5-Fache, und `restitution` ist %6. Andere Szenen gehen richtig aus. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+    </message>
+    <message>
+        <source>Each circle goes on with the velocity of the other</source>
+        <translation>Jeder Kreis geht mit der Geschwindigkeit des anderen weiter</translation>
+    </message>
+    <message>
+        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it.</source>
+        <translation>Wie auch gestartet, kommt bei jedem die Geschwindigkeit einen Schritt später von der des anderen: Kreis %2 wurde mit %1 m/s gestartet und hat %3 m/s. Jeder geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in den Zeilen an, die sie ändern.</translation>
+    </message>
+    <message>
+        <source>In free flight a step took the velocity of %who away</source>
+        <translation>Im freien Flug nahm ein Schritt die Geschwindigkeit weg (%who)</translation>
+    </message>
+    <message>
+        <source>What a hit makes is worked out from the velocities before it.</source>
+        <translation>Was ein Stoß ergibt, wird aus den Geschwindigkeiten davor berechnet.</translation>
+    </message>
+    <message>
+        <source>The velocities after a hit do not depend on those before</source>
+        <translation>Die Geschwindigkeiten nach einem Stoß hängen nicht von denen davor ab</translation>
+    </message>
+    <message>
+        <source>From all hits tried circle 1 leaves with %1 m/s and circle 2 with %2 m/s.</source>
+        <translation>Aus allen versuchten Stößen geht Kreis 1 mit %1 m/s und Kreis 2 mit %2 m/s.</translation>
+    </message>
+    <message>
+        <source>The new parts along the normal do not depend on the old ones</source>
+        <translation>Die neuen Anteile längs der Normalen hängen nicht von den alten ab</translation>
+    </message>
+    <message>
+        <source>Along the line of centres, from 1 to 2, circle 1 leaves all hits tried with %1 m/s and circle 2 with %2 m/s.</source>
+        <translation>Längs der Verbindungslinie der Mittelpunkte, von 1 nach 2, geht Kreis 1 aus allen versuchten Stößen mit %1 m/s und Kreis 2 mit %2 m/s.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early: %2.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Begegnungen wurde %n beantwortet, rechtzeitig oder zu früh: %2.</numerusform>
+            <numerusform>Von %1 versuchten Begegnungen wurden %n beantwortet, rechtzeitig oder zu früh: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Begegnungen wurde %n beantwortet, rechtzeitig oder zu früh.</numerusform>
+            <numerusform>Von %1 versuchten Begegnungen wurden %n beantwortet, rechtzeitig oder zu früh.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A hit changes velocities: look at whether the lines for that run, at what is asked before them, and at whether later lines change the velocities back.</source>
+        <translation>Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob die Zeilen dafür laufen, was vor ihnen gefragt wird und ob spätere Zeilen die Geschwindigkeiten wieder zurückändern.</translation>
+    </message>
+    <message>
+        <source>When they touched both were taken away from where they had come to, and after the step they had the velocities of before.</source>
+        <translation>Als sie sich berührten, wurden beide von dort weggesetzt, wohin sie gekommen waren, und nach dem Schritt hatten sie die Geschwindigkeiten von vorher.</translation>
+    </message>
+    <message>
+        <source>When they touched circle %1 was taken away from where it had come to, and after the step both had the velocities of before.</source>
+        <translation>Als sie sich berührten, wurde Kreis %1 von dort weggesetzt, wohin er gekommen war, und nach dem Schritt hatten beide die Geschwindigkeiten von vorher.</translation>
+    </message>
+    <message>
+        <source>In the first hit of a run the line of centres was at %1°, in a later one at %2°. Both times the push was along the first line. Every hit has a normal of its own: work it out anew.</source>
+        <translation>Im ersten Stoß eines Laufs lag die Verbindungslinie der Mittelpunkte bei %1°, in einem späteren bei %2°. Beide Male ging der Kraftstoß längs der ersten Linie. Jeder Stoß hat seine eigene Normale: Errechne sie jedes Mal neu.</translation>
+    </message>
+    <message>
+        <source>The larger of two circles answers as the lighter one</source>
+        <translation>Der größere von zwei Kreisen antwortet wie der leichtere</translation>
+    </message>
+    <message>
+        <source>Of the same density it is the heavier one. Look at whose radius stands in which mass, and at which mass stands where.</source>
+        <translation>Bei gleicher Dichte ist er der schwerere. Sieh nach, wessen Radius in welcher Masse steht und welche Masse wo steht.</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with ρ₁ = %2 and ρ₂ = %3 as if it were %4 times. Compare the lines for the two masses.</source>
+        <translation>Zwei Kreise mit gleichem Radius und gleicher Dichte antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1, und mit ρ₁ = %2 und ρ₂ = %3, als wäre er es %4-mal. Vergleiche die Zeilen für die beiden Massen.</translation>
+    </message>
+    <message>
+        <source>The two masses have the same ratio in all hits tried</source>
+        <translation>Die beiden Massen haben in allen versuchten Stößen dasselbe Verhältnis</translation>
+    </message>
+    <message>
+        <source>Of whatever size and density the two are, they answer as if circle 2 were %1 times as heavy as circle 1. Work each mass out from the `radius` and `density` of its own circle, which other scenes change.</source>
+        <translation>Wie groß und wie dicht die beiden auch sind, sie antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1. Rechne jede Masse aus `radius` und `density` ihres eigenen Kreises aus, die sich in anderen Szenen ändern.</translation>
+    </message>
+    <message>
+        <source>In your own scene even the first comes out wrong.</source>
+        <translation>In deiner eigenen Szene geht sogar der erste falsch aus.</translation>
+    </message>
+    <message>
+        <source>In your own scene, where circle 2 rests, the first hit comes out right.</source>
+        <translation>In deiner eigenen Szene, in der Kreis 2 ruht, geht der erste Stoß richtig aus.</translation>
+    </message>
+    <message>
+        <source>Equal circles get %1 times the right push</source>
+        <translation>Gleiche Kreise bekommen das %1-Fache des richtigen Kraftstoßes</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by %1 + %2 e instead of 1 + e</source>
+        <translation>Der Kraftstoß wird mit %1 + %2 e statt mit 1 + e multipliziert</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by %1 − %2 e instead of 1 + e</source>
+        <translation>Der Kraftstoß wird mit %1 − %2 e statt mit 1 + e multipliziert</translation>
+    </message>
+    <message>
+        <source>Both parts of a velocity have to become 0.</source>
+        <translation>Beide Anteile einer Geschwindigkeit müssen 0 werden.</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 1 and not circle 2</source>
+        <translation>Ein Stoß hält Kreis 1 an und Kreis 2 nicht</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 2 and not circle 1</source>
+        <translation>Ein Stoß hält Kreis 2 an und Kreis 1 nicht</translation>
+    </message>
+    <message>
+        <source>A hit has to stop both.</source>
+        <translation>Ein Stoß muss beide anhalten.</translation>
+    </message>
+    <message>
+        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s.</source>
+        <translation>Kreis 1 kam mit %1 m/s und ging mit %2 m/s, Kreis 2 kam mit %3 m/s und ging mit %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The circles exchange their whole velocities</source>
+        <translation>Die Kreise tauschen ihre ganzen Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Circle 1 loses its part across the normal</source>
+        <translation>Kreis 1 verliert seinen Anteil quer zur Normalen</translation>
+    </message>
+    <message>
+        <source>Circle 2 loses its part across the normal</source>
+        <translation>Kreis 2 verliert seinen Anteil quer zur Normalen</translation>
+    </message>
+    <message>
+        <source>Circle %3 is turned only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Kreis %3 kehrt erst um, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
     </message>
 </context>
 <context>

@@ -100,6 +100,20 @@
             <numerusform></numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early: %2.</source>
+        <translation>
+            <numerusform>Of %1 meetings tried, %n was answered, in time or too early: %2.</numerusform>
+            <numerusform>Of %1 meetings tried, %n were answered, in time or too early: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early.</source>
+        <translation>
+            <numerusform>Of %1 meetings tried, %n was answered, in time or too early.</numerusform>
+            <numerusform>Of %1 meetings tried, %n were answered, in time or too early.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Grading</name>

@@ -2319,14 +2319,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1, et avec une autre masse volumique commune, %2 fois. Comparez les lignes des deux masses.</translation>
     </message>
     <message>
-        <source>The masses are numbers, not those of the circles</source>
-        <translation>Les masses sont des nombres, pas celles des cercles</translation>
-    </message>
-    <message>
-        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1. Work the masses out from `radius` and `density`, which other scenes change.</source>
-        <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1. Calculez les masses à partir de `radius` et `density`, que d&apos;autres scènes changent.</translation>
-    </message>
-    <message>
         <source>Here two circles of the same mass meet. </source>
         <translation>Ici, deux cercles de même masse se rencontrent. </translation>
     </message>
@@ -2689,10 +2681,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>The parts across it must stay as they were.</source>
         <translation>Les composantes perpendiculaires à celle-ci doivent rester comme elles étaient.</translation>
-    </message>
-    <message>
-        <source>Between equal circles the push is %1 times as large as it should be</source>
-        <translation>Entre cercles égaux, la poussée vaut %1 fois ce qu&apos;elle devrait</translation>
     </message>
     <message>
         <source>The push has the wrong size</source>
@@ -4021,10 +4009,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Lancé vers %1 avec %2 m/s, le cercle %3 a continué au-delà. Au milieu, sa vitesse est passée de %4 à %5 m/s, alors que le cercle %6 était derrière cette paroi. Regardez de qui la position figure dans la question.</translation>
     </message>
     <message>
-        <source>Circle %3 is answered only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
-        <translation>Le cercle %3 ne reçoit de réponse que lorsque son centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
-    </message>
-    <message>
         <source>Some hits at the %walls turn %who round too early</source>
         <translation>Certains chocs contre %walls renvoient %who trop tôt</translation>
     </message>
@@ -4219,10 +4203,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>C&apos;est ainsi quand l&apos;exécution commence. Avec ce e, même un programme correct échoue à la vérification «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
-        <source>In your own scene the first comes out wrong, too.</source>
-        <translation>Dans votre propre scène, le premier aussi donne un mauvais résultat.</translation>
-    </message>
-    <message>
         <source>%1 (in some hits)</source>
         <translation>%1 (dans certains chocs)</translation>
     </message>
@@ -4391,14 +4371,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Un choc n&apos;arrête que les composantes y</translation>
     </message>
     <message>
-        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s. Both parts of a velocity have to become 0.</source>
-        <translation>Le cercle 1 est venu à %1 m/s et reparti à %2 m/s, le cercle 2 est venu à %3 m/s et reparti à %4 m/s. Les deux composantes d&apos;une vitesse doivent devenir 0.</translation>
-    </message>
-    <message>
-        <source>A hit stops circle %1 alone</source>
-        <translation>Un choc n&apos;arrête que le cercle %1</translation>
-    </message>
-    <message>
         <source>The floor does not hold circle %1 up
 
 Here e is %4. After %2 s near the floor its rim is %3 m below it, and deeper than before: the floor changes its velocity, and yet gravity pulls it on. Put the circle back where it touches.</source>
@@ -4511,10 +4483,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Sous la pesanteur, un pas a supprimé la vitesse, pour %who</translation>
     </message>
     <message>
-        <source>Away from everything a step took the velocity of %who</source>
-        <translation>Loin de tout, un pas a supprimé la vitesse, pour %who</translation>
-    </message>
-    <message>
         <source>Look at the lines that stop a circle, and at what is asked before they run: is it true although nothing touches?</source>
         <translation>Regardez les lignes qui arrêtent un cercle, et ce qui est demandé avant&#xa0;: est-ce vrai alors que rien ne se touche&#xa0;?</translation>
     </message>
@@ -4569,18 +4537,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Look at whether the two places are subtracted: their sum is not the way from one to the other.</source>
         <translation>Regardez si les deux positions sont soustraites&#xa0;: leur somme n&apos;est pas le chemin de l&apos;une à l&apos;autre.</translation>
-    </message>
-    <message>
-        <source>A hit changes velocities: look at whether those lines run, at what they ask, and at whether others change the velocities back.</source>
-        <translation>Un choc change des vitesses&#xa0;: voyez si ces lignes s&apos;exécutent, ce qu&apos;elles demandent et si d&apos;autres rétablissent les vitesses.</translation>
-    </message>
-    <message>
-        <source>When they touched both were set to another place, and after the step they had the velocities of before.</source>
-        <translation>Quand ils se sont touchés, tous deux ont été mis à une autre position, et après le pas ils avaient les vitesses d&apos;avant.</translation>
-    </message>
-    <message>
-        <source>When they touched circle %1 was set to another place, and after the step both had the velocities of before.</source>
-        <translation>Quand ils se sont touchés, le cercle %1 a été mis à une autre position, et après le pas tous deux avaient les vitesses d&apos;avant.</translation>
     </message>
     <message>
         <source>From all %1 directions in which they were thrown at each other, with up to %2 m/s along the line of centres, neither of them changed its velocity.</source>
@@ -4705,6 +4661,144 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
         <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et en est reparti à %4 m/s, soit environ %5 fois autant, et `restitution` vaut %6. D&apos;autres scènes donnent le bon résultat. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
+    </message>
+    <message>
+        <source>Each circle goes on with the velocity of the other</source>
+        <translation>Chaque cercle continue avec la vitesse de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it.</source>
+        <translation>Quel que soit le départ, la vitesse de chacun un pas plus tard vient de celle de l&apos;autre&#xa0;: parti à %1 m/s, le cercle %2 a %3 m/s. Chacun part de sa propre vitesse&#xa0;: regardez les noms dans les lignes qui la changent.</translation>
+    </message>
+    <message>
+        <source>In free flight a step took the velocity of %who away</source>
+        <translation>En vol libre, un pas a supprimé la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>What a hit makes is worked out from the velocities before it.</source>
+        <translation>Ce que donne un choc se calcule à partir des vitesses d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>The velocities after a hit do not depend on those before</source>
+        <translation>Les vitesses après un choc ne dépendent pas de celles d&apos;avant</translation>
+    </message>
+    <message>
+        <source>From all hits tried circle 1 leaves with %1 m/s and circle 2 with %2 m/s.</source>
+        <translation>De tous les chocs essayés, le cercle 1 repart à %1 m/s et le cercle 2 à %2 m/s.</translation>
+    </message>
+    <message>
+        <source>The new parts along the normal do not depend on the old ones</source>
+        <translation>Les nouvelles composantes suivant la normale ne dépendent pas des anciennes</translation>
+    </message>
+    <message>
+        <source>Along the line of centres, from 1 to 2, circle 1 leaves all hits tried with %1 m/s and circle 2 with %2 m/s.</source>
+        <translation>Suivant la ligne des centres, de 1 vers 2, le cercle 1 repart de tous les chocs essayés à %1 m/s et le cercle 2 à %2 m/s.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early: %2.</source>
+        <translation>
+            <numerusform>Sur %1 essais de rencontre, %n a reçu une réponse, à temps ou trop tôt&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 essais de rencontre, %n ont reçu une réponse, à temps ou trop tôt&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 meetings tried, %n were answered, in time or too early.</source>
+        <translation>
+            <numerusform>Sur %1 essais de rencontre, %n a reçu une réponse, à temps ou trop tôt.</numerusform>
+            <numerusform>Sur %1 essais de rencontre, %n ont reçu une réponse, à temps ou trop tôt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A hit changes velocities: look at whether the lines for that run, at what is asked before them, and at whether later lines change the velocities back.</source>
+        <translation>Un choc change des vitesses&#xa0;: voyez si les lignes qui le font s&apos;exécutent, ce qui est demandé avant elles et si des lignes suivantes rétablissent les vitesses.</translation>
+    </message>
+    <message>
+        <source>When they touched both were taken away from where they had come to, and after the step they had the velocities of before.</source>
+        <translation>Quand ils se sont touchés, tous deux ont été retirés de là où ils étaient arrivés, et après le pas ils avaient les vitesses d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>When they touched circle %1 was taken away from where it had come to, and after the step both had the velocities of before.</source>
+        <translation>Quand ils se sont touchés, le cercle %1 a été retiré de là où il était arrivé, et après le pas tous deux avaient les vitesses d&apos;avant.</translation>
+    </message>
+    <message>
+        <source>In the first hit of a run the line of centres was at %1°, in a later one at %2°. Both times the push was along the first line. Every hit has a normal of its own: work it out anew.</source>
+        <translation>Au premier choc d&apos;une exécution, la ligne des centres était à %1°, à un choc ultérieur à %2°. Les deux fois, la poussée suivait la première ligne. Chaque choc a sa propre normale&#xa0;: recalculez-la.</translation>
+    </message>
+    <message>
+        <source>The larger of two circles answers as the lighter one</source>
+        <translation>Le plus grand de deux cercles réagit comme le plus léger</translation>
+    </message>
+    <message>
+        <source>Of the same density it is the heavier one. Look at whose radius stands in which mass, and at which mass stands where.</source>
+        <translation>À masse volumique égale, c&apos;est le plus lourd. Regardez le rayon de quel cercle figure dans quelle masse, et quelle masse figure où.</translation>
+    </message>
+    <message>
+        <source>Two circles of the same radius and density answer as if circle 2 were %1 times as heavy as circle 1, and with ρ₁ = %2 and ρ₂ = %3 as if it were %4 times. Compare the lines for the two masses.</source>
+        <translation>Deux cercles de même rayon et de même masse volumique réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1, et avec ρ₁ = %2 et ρ₂ = %3 comme s&apos;il l&apos;était %4 fois. Comparez les lignes des deux masses.</translation>
+    </message>
+    <message>
+        <source>The two masses have the same ratio in all hits tried</source>
+        <translation>Les deux masses ont le même rapport dans tous les chocs essayés</translation>
+    </message>
+    <message>
+        <source>Of whatever size and density the two are, they answer as if circle 2 were %1 times as heavy as circle 1. Work each mass out from the `radius` and `density` of its own circle, which other scenes change.</source>
+        <translation>Quelles que soient la taille et la masse volumique des deux, ils réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1. Calculez chaque masse à partir de `radius` et `density` de son propre cercle, que d&apos;autres scènes changent.</translation>
+    </message>
+    <message>
+        <source>In your own scene even the first comes out wrong.</source>
+        <translation>Dans votre propre scène, même le premier donne un mauvais résultat.</translation>
+    </message>
+    <message>
+        <source>In your own scene, where circle 2 rests, the first hit comes out right.</source>
+        <translation>Dans votre propre scène, où le cercle 2 est au repos, le premier choc donne le bon résultat.</translation>
+    </message>
+    <message>
+        <source>Equal circles get %1 times the right push</source>
+        <translation>Des cercles égaux reçoivent %1 fois la poussée juste</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by %1 + %2 e instead of 1 + e</source>
+        <translation>La poussée est multipliée par %1 + %2 e au lieu de 1 + e</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by %1 − %2 e instead of 1 + e</source>
+        <translation>La poussée est multipliée par %1 − %2 e au lieu de 1 + e</translation>
+    </message>
+    <message>
+        <source>Both parts of a velocity have to become 0.</source>
+        <translation>Les deux composantes d&apos;une vitesse doivent devenir 0.</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 1 and not circle 2</source>
+        <translation>Un choc arrête le cercle 1 et non le cercle 2</translation>
+    </message>
+    <message>
+        <source>A hit stops circle 2 and not circle 1</source>
+        <translation>Un choc arrête le cercle 2 et non le cercle 1</translation>
+    </message>
+    <message>
+        <source>A hit has to stop both.</source>
+        <translation>Un choc doit arrêter les deux.</translation>
+    </message>
+    <message>
+        <source>Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came with %3 m/s and left with %4 m/s.</source>
+        <translation>Le cercle 1 est venu à %1 m/s et reparti à %2 m/s, le cercle 2 est venu à %3 m/s et reparti à %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The circles exchange their whole velocities</source>
+        <translation>Les cercles échangent leurs vitesses entières</translation>
+    </message>
+    <message>
+        <source>Circle 1 loses its part across the normal</source>
+        <translation>Le cercle 1 perd sa composante perpendiculaire à la normale</translation>
+    </message>
+    <message>
+        <source>Circle 2 loses its part across the normal</source>
+        <translation>Le cercle 2 perd sa composante perpendiculaire à la normale</translation>
+    </message>
+    <message>
+        <source>Circle %3 is turned only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
+        <translation>Le cercle %3 ne fait demi-tour que lorsque son centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,16 @@ public:
                                "own and goes on from those: look at what the lines for "
                                "one take from the other."),
                 true);
+        if (f.borrows >= 0 && right().borrows < 0
+            && m_own.at(gravity(), timestep(), f.borrows).borrows == m_i)
+            return said(
+                FlightText::tr("Each circle goes on with the velocity of the other"),
+                FlightText::tr("However they are started, what each has one step later comes from "
+                               "the velocity of the other: started with %1 m/s, circle %2 has %3 "
+                               "m/s. Each goes on from its own velocity: look at the names in the "
+                               "lines that change it.")
+                    .arg(brief(f.startedWith), QString::number(m_i + 1), brief(f.turnedInto)),
+                false);
         if (f.borrows >= 0 && right().borrows < 0)
             return said(
                 FlightText::tr("The velocity of %who is taken from circle %1").arg(f.borrows + 1),
@@ -131,7 +141,7 @@ public:
                       .arg(brief(flight(0).startedWith));
         return said(isOfGravity
                         ? FlightText::tr("Under gravity a step took the velocity of %who away")
-                        : FlightText::tr("Away from everything a step took the velocity of %who"),
+                        : FlightText::tr("In free flight a step took the velocity of %who away"),
                     seen + QLatin1Char(' ')
                         + FlightText::tr("Look at the lines that stop a circle, and at what is "
                                          "asked before they run: is it true although nothing "

@@ -99,6 +99,17 @@ QString DividedMeetings::counted() const
 {
     const int right = static_cast<int>(m_answered.size());
     const QString all = QString::number(m_answered.size() + m_missed.size());
+    const bool isAnyEarly =
+        std::any_of(m_answered.begin(), m_answered.end(),
+                    [](const PairHit *hit) { return hit->reached > hit->meeting.sum() + 1e-9; });
+    if (isAnyEarly && m_division && !m_division->isOfDirection)
+        return ContactText::tr("Of %1 meetings tried, %n were answered, in time or too early: %2.",
+                               nullptr, right)
+            .arg(all, m_division->phrase);
+    if (isAnyEarly && !m_division)
+        return ContactText::tr("Of %1 meetings tried, %n were answered, in time or too early.",
+                               nullptr, right)
+            .arg(all);
     if (!m_division)
         return ContactText::tr("Of %1 meetings tried, %n were answered in time.", nullptr, right)
             .arg(all);

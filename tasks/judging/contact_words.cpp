@@ -111,9 +111,9 @@ private:
         else if (right && held != m_own.contacts.end())
             add(ContactText::tr("The circles are put back and keep their velocities"),
                 whoIsMoved(*held) + QLatin1Char(' ')
-                    + ContactText::tr("A hit changes velocities: look at whether those lines run, "
-                                      "at what they ask, and at whether others change the "
-                                      "velocities back."),
+                    + ContactText::tr("A hit changes velocities: look at whether the lines for "
+                                      "that run, at what is asked before them, and at whether "
+                                      "later lines change the velocities back."),
                 *held);
         else if (right)
             add(ContactText::tr("The circles run through each other"),
@@ -130,10 +130,12 @@ private:
     static QString whoIsMoved(const PairHit &hit)
     {
         return hit.moved1 && hit.moved2
-                   ? ContactText::tr("When they touched both were set to another place, and after "
-                                     "the step they had the velocities of before.")
-                   : ContactText::tr("When they touched circle %1 was set to another place, and "
-                                     "after the step both had the velocities of before.")
+                   ? ContactText::tr("When they touched both were taken away from where they had "
+                                     "come to, and after the step they had the velocities of "
+                                     "before.")
+                   : ContactText::tr("When they touched circle %1 was taken away from where it had "
+                                     "come to, and after the step both had the velocities of "
+                                     "before.")
                          .arg(hit.moved1 ? 1 : 2);
     }
 

@@ -10,6 +10,26 @@
 
 namespace cradle {
 
+namespace {
+
+QString degreesOf(Vec2 n)
+{
+    return brief(std::atan2(n.y, n.x) * 180.0 / std::numbers::pi);
+}
+
+} // namespace
+
+LawDeviation keptLineDeviation(const PairHit &first, const PairHit &wrong)
+{
+    return responseDeviation(
+        ResponseText::tr("A later hit is answered along the line of an earlier one"),
+        ResponseText::tr("In the first hit of a run the line of centres was at %1°, in a later one "
+                         "at %2°. Both times the push was along the first line. Every hit has a "
+                         "normal of its own: work it out anew.")
+            .arg(degreesOf(first.normal), degreesOf(wrong.normal)),
+        wrong, Suspect::Kept);
+}
+
 std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const MeasuredPair &right)
 {
     if (!own.later || !right.later)
@@ -22,15 +42,12 @@ std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const Measur
         return std::min(std::abs(cross(n, hit.normal)), std::abs(cross(n, hit.nextNormal)));
     };
     if (off(n1, one) < 0.1 && off(n2, two) > 0.15 && length(n2 - n1) < 1e-3) {
-        const auto degrees = [](Vec2 n) {
-            return brief(std::atan2(n.y, n.x) * 180.0 / std::numbers::pi);
-        };
         return responseDeviation(
             ResponseText::tr("A later hit is answered along the line of an earlier one"),
             ResponseText::tr("Two circles met with their line of centres at %1°, and again, "
                              "back from a wall, with it at %2°. Both times they were pushed "
                              "along %3°. Every hit has a normal of its own: work it out anew.")
-                .arg(degrees(one.normal), degrees(two.normal), degrees(n2)),
+                .arg(degreesOf(one.normal), degreesOf(two.normal), degreesOf(n2)),
             two, Suspect::Kept);
     }
     const double e = one.meeting.restitution;

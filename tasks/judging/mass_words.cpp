@@ -65,15 +65,25 @@ struct MassTeller {
         return responseDeviation(headline, what + QLatin1Char(' ') + why, hit, Suspect::Masses);
     }
 
+    /// Where densities are not varied, the masses may be exchanged or the radii in them.
     [[nodiscard]] LawDeviation exchanged() const
     {
         LawDeviation exchange =
-            say(circle ? ResponseText::tr("Circle %1 answers as if it had the mass of the other")
-                             .arg(*circle + 1)
-                       : ResponseText::tr("Each circle answers as if it had the mass of the other"),
-                ResponseText::tr("The heavier one is pushed away faster. Look at what each mass is "
-                                 "made of, and at which stands where."),
-                &MeasuredPair::radii);
+            right.densities.empty()
+                ? say(ResponseText::tr("The larger of two circles answers as the lighter one"),
+                      ResponseText::tr(
+                          "Of the same density it is the heavier one. Look at whose radius "
+                          "stands in which mass, and at which mass stands where."),
+                      &MeasuredPair::radii)
+                : say(circle
+                          ? ResponseText::tr("Circle %1 answers as if it had the mass of the other")
+                                .arg(*circle + 1)
+                          : ResponseText::tr(
+                              "Each circle answers as if it had the mass of the other"),
+                      ResponseText::tr(
+                          "The heavier one is pushed away faster. Look at what each mass is "
+                          "made of, and at which stands where."),
+                      &MeasuredPair::radii);
         exchange.suspect = Suspect::Formula;
         return exchange;
     }
@@ -169,11 +179,20 @@ std::optional<LawDeviation> numberedMasses(const MeasuredPair &own)
                        "were %4 times. Compare the lines for the two masses.")
                        .arg(brief(*ratio), brief(other->meeting.radius1),
                             brief(other->meeting.radius2), brief(massRatio(*other).value_or(0.0))));
+    if (const PairHit *other = otherRatioIn(own.densities, *ratio))
+        return say(twoWays,
+                   ResponseText::tr(
+                       "Two circles of the same radius and density answer as if circle 2 were "
+                       "%1 times as heavy as circle 1, and with ρ₁ = %2 and ρ₂ = %3 as if it "
+                       "were %4 times. Compare the lines for the two masses.")
+                       .arg(brief(*ratio), brief(other->meeting.density1),
+                            brief(other->meeting.density2),
+                            brief(massRatio(*other).value_or(0.0))));
     return say(
-        ResponseText::tr("The masses are numbers, not those of the circles"),
-        ResponseText::tr("Two circles of the same radius and density answer as if circle 2 were "
-                         "%1 times as heavy as circle 1. Work the masses out from `radius` and "
-                         "`density`, which other scenes change.")
+        ResponseText::tr("The two masses have the same ratio in all hits tried"),
+        ResponseText::tr("Of whatever size and density the two are, they answer as if circle 2 "
+                         "were %1 times as heavy as circle 1. Work each mass out from the `radius` "
+                         "and `density` of its own circle, which other scenes change.")
             .arg(brief(*ratio)));
 }
 

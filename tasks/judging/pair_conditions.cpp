@@ -77,6 +77,14 @@ private:
                 series.add(own[i], right[i],
                            isSameAnswerTo(hit, hit.leftParts(), good.leftParts()));
         }
+        const bool isKeptSaid =
+            std::any_of(m_said.deviations.begin(), m_said.deviations.end(),
+                        [](const LawDeviation &one) { return one.suspect == Suspect::Kept; });
+        if (auto kept =
+                aspect == Aspect::Response && !isKeptSaid ? keptLine(series) : std::nullopt) {
+            m_said.deviations.insert(m_said.deviations.begin(), std::move(*kept));
+            return true;
+        }
         const auto condition = conditionOf(series.when);
         if (!condition || isSaid(condition->kind)
             || (aspect == Aspect::Contact && condition->isOfPlace() && isOfOther())
@@ -111,6 +119,32 @@ private:
         return true;
     }
 
+    /// Where all that come out wrong are pushed along the line of the first hit in their run.
+    static std::optional<LawDeviation> keptLine(const Series<PairOccasion> &series)
+    {
+        const PairHit *first = nullptr;
+        const PairHit *wrong = nullptr;
+        for (std::size_t i = 0; i < series.all.size(); ++i) {
+            const auto &[hit, when] = *series.all[i].own;
+            if (when.number == 1 && series.when[i].isRight)
+                first = &hit;
+            if (series.when[i].isRight)
+                continue;
+            if (!first || !isPushedAlong(hit, first->normal) || isPushedAlong(hit, hit.normal))
+                return std::nullopt;
+            if (!wrong)
+                wrong = &hit;
+        }
+        return wrong ? std::optional(keptLineDeviation(*first, *wrong)) : std::nullopt;
+    }
+
+    static bool isPushedAlong(const PairHit &hit, Vec2 line)
+    {
+        constexpr double turned = 0.02; // of the line in a step
+        return std::abs(cross(normalized(hit.push1()), line)) < turned
+               && std::abs(cross(normalized(hit.push2()), line)) < turned;
+    }
+
     /// Where the first hit of the own scene comes out wrong; begins with a blank.
     [[nodiscard]] QString ownTold() const
     {
@@ -119,7 +153,7 @@ private:
         return own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
                        && !leaveAlike(*own, *right, otherAnswer)
                    ? QLatin1Char(' ')
-                         + ConditionText::tr("In your own scene the first comes out wrong, too.")
+                         + ConditionText::tr("In your own scene even the first comes out wrong.")
                    : QString();
     }
 
@@ -144,7 +178,10 @@ private:
             && own->fits(own->meeting.sum()) && leaveAlike(*own, *right, sameAnswer))
             found.front().message +=
                 QLatin1Char(' ')
-                + ConditionText::tr("In your own scene the first hit comes out right.");
+                + (own->came2 == Vec2{}
+                       ? ConditionText::tr("In your own scene, where circle 2 rests, the first hit "
+                                           "comes out right.")
+                       : ConditionText::tr("In your own scene the first hit comes out right."));
         else if (!m_ground.pair.bothMove)
             found.front().message +=
                 QLatin1Char(' ')

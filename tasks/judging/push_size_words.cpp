@@ -135,10 +135,10 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
             isOfEveryE
             && (!mine.isMet() || !theirs.isMet() || isAlike(factorOf(mine, theirs), factor, 0.01));
     }
-    return {ResponseText::tr("Between equal circles the push is %1 times as large as it should be")
-                .arg(briefBeside(factor, 1.0)),
-            {},
-            isOfEveryE};
+    return {
+        ResponseText::tr("Equal circles get %1 times the right push").arg(briefBeside(factor, 1.0)),
+        {},
+        isOfEveryE};
 }
 
 } // namespace cradle

@@ -15,7 +15,7 @@ struct ReboundText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
 
-constexpr double blur = 0.02; ///< of e
+constexpr double blur = reboundBlur;
 
 /// Reads what e does from hits with several of its values.
 class ReboundJudge
@@ -43,8 +43,8 @@ public:
             return length(own.left1 - right.left1) + length(own.left2 - right.left2);
         });
         const auto one = [](double) { return 1.0; };
-        m_isElastic =
-            every(m_elastic, &Rebound::first, one) && every(m_elastic, &Rebound::second, one);
+        m_isElastic = followEach(m_elastic, &Rebound::first, one)
+                      && followEach(m_elastic, &Rebound::second, one);
         findAcross();
         if (!m_isDone)
             findAlong();
@@ -70,22 +70,14 @@ private:
         return worst;
     }
 
-    template <class Law>
-    static bool every(const std::vector<Rebound> &all, double Rebound::*part, Law law)
-    {
-        return std::all_of(all.begin(), all.end(), [&](const Rebound &r) {
-            const double wanted = law(r.e);
-            return !std::isfinite(wanted) || std::abs(r.*part - wanted) < blur;
-        });
-    }
-
     /// Whether \p law holds for both circles, also where e is 1.
     template <class First, class Second>
     [[nodiscard]] bool isLaw(First first, Second second) const
     {
-        return every(m_all, &Rebound::first, first) && every(m_all, &Rebound::second, second)
-               && every(m_elastic, &Rebound::first, first)
-               && every(m_elastic, &Rebound::second, second);
+        return followEach(m_all, &Rebound::first, first)
+               && followEach(m_all, &Rebound::second, second)
+               && followEach(m_elastic, &Rebound::first, first)
+               && followEach(m_elastic, &Rebound::second, second);
     }
 
     void add(const QString &headline, const QString &why = {})
@@ -103,8 +95,8 @@ private:
     {
         const auto same = [](double e) { return e; };
         const auto kept = [](double) { return 1.0; };
-        const bool one = every(m_all, &Rebound::across1, same);
-        const bool two = every(m_all, &Rebound::across2, same);
+        const bool one = followEach(m_all, &Rebound::across1, same);
+        const bool two = followEach(m_all, &Rebound::across2, same);
         if (!m_isElastic || (!one && !two))
             return;
         if (one != two) {
@@ -113,15 +105,15 @@ private:
                 add(ReboundText::tr("e multiplies the whole velocity of circle %1 after the hit")
                         .arg(circle + 1),
                     ReboundText::tr("e belongs to the rebound along the line of centres alone."));
-                m_isDone = every(m_all, one ? &Rebound::second : &Rebound::first, same);
-            } else if (every(m_all, one ? &Rebound::across2 : &Rebound::across1, kept))
+                m_isDone = followEach(m_all, one ? &Rebound::second : &Rebound::first, same);
+            } else if (followEach(m_all, one ? &Rebound::across2 : &Rebound::across1, kept))
                 add(ReboundText::tr("e also shortens the part of circle %1 across the line of "
                                     "centres")
                         .arg(circle + 1),
                     ReboundText::tr("Nothing pushes there: it stays as it was."));
             return;
         }
-        if (every(m_all, &Rebound::sum, same)) {
+        if (followEach(m_all, &Rebound::sum, same)) {
             add(ReboundText::tr("e multiplies the whole velocities after the hit"),
                 ReboundText::tr("e belongs to the rebound along the line of centres alone; the "
                                 "total momentum stays."));
@@ -175,31 +167,6 @@ private:
         findNumbers();
     }
 
-    /// Whether the push on that circle follows the law where the masses differ, too.
-    template <class ReboundLaw>
-    [[nodiscard]] bool isForMasses(ReboundLaw law, int circle) const
-    {
-        const auto holds = [&](const std::vector<PairHit> &own, const std::vector<PairHit> &right) {
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                if (!own[i].isMet() || !right[i].isMet() || !own[i].isAligned()
-                    || !right[i].isAligned())
-                    continue;
-                const double e = own[i].meeting.restitution;
-                const PairVelocities in = own[i].cameParts();
-                const PairVelocities out = own[i].leftParts();
-                const PairVelocities good = right[i].leftParts();
-                const double push = circle == 1 ? out.along1 - in.along1 : out.along2 - in.along2;
-                const double asked =
-                    circle == 1 ? good.along1 - in.along1 : good.along2 - in.along2;
-                if (std::abs(push - asked * (1.0 + law(e)) / (1.0 + e))
-                    > blur * (1.0 + std::abs(asked)))
-                    return false;
-            }
-            return true;
-        };
-        return holds(m_own.radii, m_right.radii) && holds(m_own.densities, m_right.densities);
-    }
-
     bool findFactor()
     {
         struct Law {
@@ -228,7 +195,7 @@ private:
             const bool two = isLaw(same, law.rebound);
             if (!one && !two && !isLaw(law.rebound, law.rebound))
                 continue;
-            if (one != two && !isForMasses(law.rebound, one ? 1 : 2)) {
+            if (one != two && !isOfMasses(law.rebound, one ? 1 : 2, m_own, m_right)) {
                 add(ReboundText::tr("Of two equal circles only circle %1 leaves as it should")
                         .arg(one ? 2 : 1));
                 m_reading.explainsElastic = !m_isElastic;
@@ -240,7 +207,21 @@ private:
             m_reading.explainsElastic = !m_isElastic;
             return true;
         }
-        return false;
+        return findLine();
+    }
+
+    bool findLine()
+    {
+        const auto push = lineOfPush(m_own, m_right, m_all, m_elastic);
+        if (!push)
+            return false;
+        const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
+        add((push->perE > 0.0
+                 ? ReboundText::tr("The push is multiplied by %1 + %2 e instead of 1 + e")
+                 : ReboundText::tr("The push is multiplied by %1 − %2 e instead of 1 + e"))
+                .arg(number(push->without), number(std::abs(push->perE))));
+        m_reading.explainsElastic = !m_isElastic;
+        return true;
     }
 
     /// What no other law tells. They may part as fast as they should: that is the mean of both.
@@ -277,7 +258,8 @@ private:
     [[nodiscard]] bool isApproach() const
     {
         const auto none = [](double) { return -1.0; };
-        return every(m_elastic, &Rebound::first, none) && every(m_elastic, &Rebound::second, none)
+        return followEach(m_elastic, &Rebound::first, none)
+               && followEach(m_elastic, &Rebound::second, none)
                && m_all[m_shown].first < -5.0 * blur
                && std::all_of(m_all.begin(), m_all.end(), [](const Rebound &r) {
                       return r.first < blur && std::abs(r.first - r.second) < blur;
@@ -287,10 +269,10 @@ private:
     void findNumbers()
     {
         const auto kept = [](double) { return 1.0; };
-        const bool across = every(m_all, &Rebound::across1, kept)
-                            && every(m_all, &Rebound::across2, kept)
-                            && every(m_elastic, &Rebound::across1, kept)
-                            && every(m_elastic, &Rebound::across2, kept);
+        const bool across = followEach(m_all, &Rebound::across1, kept)
+                            && followEach(m_all, &Rebound::across2, kept)
+                            && followEach(m_elastic, &Rebound::across1, kept)
+                            && followEach(m_elastic, &Rebound::across2, kept);
         const double first = m_all.front().first;
         const double second = m_all.front().second;
         const auto fixed = [](double value) { return [value](double) { return value; }; };

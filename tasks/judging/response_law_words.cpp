@@ -101,7 +101,7 @@ private:
         if (std::all_of(hits.begin(), hits.end(), [](const EqualHit &h) {
                 return isSameAnswer(h.right, PairVelocities{});
             })) {
-            findStops(hits, hit, right);
+            findStops(hits, hit);
             return;
         }
         for (const ResponseLaw &law : knownResponses()) {
@@ -114,7 +114,9 @@ private:
                 limitToE(hit);
             return;
         }
-        findParts(hits, hit, right);
+        m_reading.said = constantDeviation(m_own, hits, hit);
+        if (!m_reading.said)
+            findParts(hits, hit, right);
     }
 
     /// What is not so with another e is told of the one that was tried.
@@ -131,7 +133,7 @@ private:
     }
 
     /// Both should stop, and do not always.
-    void findStops(const std::vector<EqualHit> &hits, const PairHit &hit, const PairHit &right)
+    void findStops(const std::vector<EqualHit> &hits, const PairHit &hit)
     {
         const auto every = [&](auto &&holds) {
             return std::all_of(hits.begin(), hits.end(),
@@ -147,11 +149,8 @@ private:
                            && length(one.left2 - dot(one.came2, kept) * kept) < 5e-3;
                 })) {
                 add(headline,
-                    ResponseText::tr("Circle 1 came with %1 m/s and left with %2 m/s, circle 2 "
-                                     "came with %3 m/s and left with %4 m/s. Both parts of a "
-                                     "velocity have to become 0.")
-                        .arg(brief(hit.slowness * hit.came1), brief(hit.slowness * hit.left1),
-                             brief(hit.slowness * hit.came2), brief(hit.slowness * hit.left2)),
+                    describeStops(hit) + QLatin1Char(' ')
+                        + ResponseText::tr("Both parts of a velocity have to become 0."),
                     hit);
                 return;
             }
@@ -162,16 +161,25 @@ private:
         const auto goesOn = [](Vec2 came, Vec2 left) {
             return length(left) >= 0.05 * length(came);
         };
-        const bool is1Alone = every(
+        const bool stops1 = every(
             [&](const PairHit &one) { return rests(one.left1) && goesOn(one.came2, one.left2); });
-        const bool is2Alone = every(
+        const bool stops2 = every(
             [&](const PairHit &one) { return rests(one.left2) && goesOn(one.came1, one.left1); });
-        add(is1Alone || is2Alone
-                ? ResponseText::tr("A hit stops circle %1 alone").arg(is1Alone ? 1 : 2)
+        add(stops1    ? ResponseText::tr("A hit stops circle 1 and not circle 2")
+            : stops2  ? ResponseText::tr("A hit stops circle 2 and not circle 1")
             : isNever ? ResponseText::tr("The circles do not stop in a hit")
                       : ResponseText::tr("Not every hit stops both circles"),
-            describeEquals(hit, right), hit);
+            describeStops(hit) + QLatin1Char(' ') + ResponseText::tr("A hit has to stop both."),
+            hit);
         m_reading.said->isOfSome = !isNever;
+    }
+
+    static QString describeStops(const PairHit &hit)
+    {
+        return ResponseText::tr("Circle 1 came with %1 m/s and left with %2 m/s, circle 2 came "
+                                "with %3 m/s and left with %4 m/s.")
+            .arg(brief(hit.slowness * hit.came1), brief(hit.slowness * hit.left1),
+                 brief(hit.slowness * hit.came2), brief(hit.slowness * hit.left2));
     }
 
     /// No law that is known: which of the things that a hit keeps does it not keep?

@@ -25,6 +25,11 @@ struct EqualReading {
 /// not the same in all \p hits.
 [[nodiscard]] QString lawOfPart(const std::vector<EqualHit> &hits, int circle);
 
+/// That what circles have after \p hits, or along the line of centres, does not depend on what they
+/// came with; shown at \p hit.
+[[nodiscard]] std::optional<LawDeviation>
+constantDeviation(const MeasuredPair &own, const std::vector<EqualHit> &hits, const PairHit &hit);
+
 /// An equal and opposite push along the line of centres that has a wrong length.
 struct SizeOfPush {
     QString headline{};
@@ -38,6 +43,8 @@ struct SizeOfPush {
 /// That in a second hit something counts that was kept from the first.
 [[nodiscard]] std::optional<LawDeviation> laterDeviation(const MeasuredPair &own,
                                                          const MeasuredPair &right);
+/// That \p wrong is pushed along the line of \p first, the first hit of its run.
+[[nodiscard]] LawDeviation keptLineDeviation(const PairHit &first, const PairHit &wrong);
 /// That what a program takes for e before its first hit is not what it takes after.
 [[nodiscard]] LawDeviation lateRestitution(const MeasuredPair &own);
 /// That slow circles are answered in another way than fast ones.

@@ -92,12 +92,14 @@ std::vector<ResponseLaw> exchangeLaws()
     const QString either = ResponseLawText::tr(
         "Both new velocities come from those *before* the hit: look at what each circle gets, and "
         "whether it is read before or after a velocity is written.");
+    const auto exchanged = [](Hit h) {
+        return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
+    };
     return {
-        {[](Hit h) {
-             return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
-         },
-         ResponseLawText::tr("Two equal circles exchange their whole velocities"), along, false,
+        {exchanged, ResponseLawText::tr("The circles exchange their whole velocities"), along,
          true},
+        {exchanged, ResponseLawText::tr("Two equal circles exchange their whole velocities"), along,
+         false, true},
         {[](Hit h) {
              return PairVelocities{h.in.along1, h.in.across2, h.in.along2, h.in.across1};
          },
@@ -115,6 +117,15 @@ std::vector<ResponseLaw> exchangeLaws()
          ResponseLawText::tr("Each circle keeps its direction and gets the other's speed"),
          ResponseLawText::tr("A velocity has a direction, too: what changes hands is the whole "
                              "part along the line of centres, not its length.")},
+        // Of one that always rested nothing is known.
+        {[](Hit h) {
+             return PairVelocities{h.in.along2, 0, h.in.along1, h.in.across2};
+         },
+         ResponseLawText::tr("Circle 1 loses its part across the normal"), along},
+        {[](Hit h) {
+             return PairVelocities{h.in.along2, h.in.across1, h.in.along1, 0};
+         },
+         ResponseLawText::tr("Circle 2 loses its part across the normal"), along},
         {[](Hit h) {
              return PairVelocities{h.in.along2, 0, h.in.along1, 0};
          },

@@ -151,9 +151,8 @@ private:
         };
         return {
             {fixed(0.0), WallText::tr("At the %walls the centre of %who is asked for, not the rim"),
-             WallText::tr(
-                 "Circle %3 is answered only when its centre is past the wall, with its rim "
-                 "one radius, %1 m, outside. A wall meets a body where the body ends.")},
+             WallText::tr("Circle %3 is turned only when its centre is past the wall, with its rim "
+                          "one radius, %1 m, outside. A wall meets a body where the body ends.")},
             {[](const WallHit &hit) { return hit.otherRadius; },
              WallText::tr("At the %walls the radius of another circle stands for that of %who"),
              WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
