@@ -183,6 +183,16 @@ bool AuthorDocument::editStep(const QString &text, const Result<LabFiles> &after
     return true;
 }
 
+bool AuthorDocument::editTask(const QString &text, const std::function<void(TaskForm &)> &change,
+                              const QString &mergeKey)
+{
+    Result<TaskForm> form = taskForm(m_files, m_step, m_language);
+    if (!form)
+        return false;
+    change(*form);
+    return edit(text, withTask(m_files, m_step, *form, m_language), mergeKey);
+}
+
 void AuthorDocument::apply(const State &state)
 {
     m_files = state.files;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/authoring/task_form.h"
 #include "tasks/lab/lab.h"
 #include "tasks/lab_files/lab_files.h"
 
@@ -11,6 +12,7 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 
 class QFileSystemWatcher;
@@ -57,6 +59,10 @@ public:
     bool edit(const QString &text, const Result<LabFiles> &after, const QString &mergeKey = {});
     /// The same, and opens \p step with it.
     bool editStep(const QString &text, const Result<LabFiles> &after, const QString &step,
+                  const QString &mergeKey = {});
+    /// The same; \param change  makes of the open step's form, in the open language, what it is to
+    /// be.
+    bool editTask(const QString &text, const std::function<void(TaskForm &)> &change,
                   const QString &mergeKey = {});
     /// Writes what changed. \param overwrite  also files that somebody else changed meanwhile
     /// \return what kept it from being saved

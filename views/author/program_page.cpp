@@ -86,12 +86,8 @@ QWidget *ProgramPage::makeMessage()
 
 QWidget *ProgramPage::makeRecognition()
 {
-    auto *scroll = new QScrollArea(m_below);
-    scroll->setWidgetResizable(true);
-    m_remark = new RemarkEditor(scroll);
-    scroll->setWidget(m_remark);
-    scroll->setFocusPolicy(Qt::NoFocus); // what is in it has the keyboard
-    return scroll;
+    m_remark = new RemarkEditor(m_below);
+    return scrolled(m_remark);
 }
 
 QString ProgramPage::path() const
@@ -263,17 +259,14 @@ void ProgramPage::takeTranslation(const QString &text)
 
 void ProgramPage::takeRemark(const RemarkForm &remark, const QString &field)
 {
-    Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
-    if (!form)
-        return;
-    for (RemarkForm &each : form->remarks) {
-        if (each.id == remark.id)
-            each = remark;
-    }
-    const bool done =
-        m_document.edit(tr("Edit a remark"), withTask(m_document.files(), m_document.step(), *form),
-                        QStringLiteral("remark:%1:%2").arg(path(), field));
-    if (!done)
+    const auto take = [&](TaskForm &form) {
+        for (RemarkForm &each : form.remarks) {
+            if (each.id == remark.id)
+                each = remark;
+        }
+    };
+    if (!m_document.editTask(tr("Edit a remark"), take,
+                             QStringLiteral("remark:%1:%2").arg(path(), field)))
         showRemark();
 }
 

@@ -78,14 +78,12 @@ void SceneTab::showLocks()
 
 void SceneTab::setLocked(const QString &field, bool locked)
 {
-    Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
-    if (!form)
-        return;
-    form->locked.removeAll(field);
-    if (locked)
-        form->locked.append(field);
-    if (!m_document.edit(locked ? tr("Lock a field") : tr("Unlock a field"),
-                         withTask(m_document.files(), m_document.step(), *form)))
+    const auto change = [&](TaskForm &form) {
+        form.locked.removeAll(field);
+        if (locked)
+            form.locked.append(field);
+    };
+    if (!m_document.editTask(locked ? tr("Lock a field") : tr("Unlock a field"), change))
         showLocks();
 }
 

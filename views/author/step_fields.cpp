@@ -95,8 +95,7 @@ QSize StepFields::minimumSizeHint() const
 bool StepFields::event(QEvent *event)
 {
     const bool done = QWidget::event(event);
-    const bool isMade = m_rows;
-    if (isMade && (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest))
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
         arrange();
     return done;
 }
@@ -137,19 +136,16 @@ void StepFields::takeId()
 
 void StepFields::takeFields(const QString &field)
 {
-    const LabFiles &files = m_document.files();
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    form->title = m_title->text();
-    form->commit = m_commit->text();
-    form->extra = m_extra->isChecked();
-    const QString moves = m_moves->currentData().toString();
-    if (moves != form->moves && (m_moves->currentIndex() != 0 || !form->moves.isEmpty()))
-        form->moves = moves;
-    m_document.edit(tr("Edit the step"),
-                    withTask(files, m_document.step(), *form, m_document.language()),
-                    QStringLiteral("%1:%2").arg(field, m_document.step()));
+    const auto take = [this](TaskForm &form) {
+        form.title = m_title->text();
+        form.commit = m_commit->text();
+        form.extra = m_extra->isChecked();
+        const QString moves = m_moves->currentData().toString();
+        if (moves != form.moves && (m_moves->currentIndex() != 0 || !form.moves.isEmpty()))
+            form.moves = moves;
+    };
+    m_document.editTask(tr("Edit the step"), take,
+                        QStringLiteral("%1:%2").arg(field, m_document.step()));
 }
 
 void StepFields::retranslate()

@@ -69,6 +69,7 @@ private:
     void followNames();
     void takeText(const QString &text);
     void takeHints(const QStringList &hints, int current);
+    void editHints(const QString &text, const QStringList &hints, const QString &mergeKey);
     void takePrediction(const std::optional<Prediction> &prediction, const QString &field);
     void takeQuestions(const std::vector<Question> &questions, const QString &field);
     [[nodiscard]] Part part() const;

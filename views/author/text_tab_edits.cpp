@@ -18,10 +18,8 @@ void TextTab::takeText(const QString &text)
     if (m_loading)
         return;
     m_previewTimer.start();
-    const LabFiles &files = m_document.files();
-    const QString step = m_document.step();
     if (part() == Instructions) {
-        m_document.edit(tr("Edit the text"), withText(files, path(), text),
+        m_document.edit(tr("Edit the text"), withText(m_document.files(), path(), text),
                         QStringLiteral("text:") + path());
         return;
     }
@@ -30,38 +28,40 @@ void TextTab::takeText(const QString &text)
     if (hint < 0 || hint >= hints.size())
         return;
     hints[hint] = text;
-    Result<TaskForm> form = taskForm(files, step, m_document.language());
-    if (!form)
-        return;
-    (part() == CodeHints ? form->codeHints : form->hints) = hints;
-    m_document.edit(tr("Edit a hint"), withTask(files, step, *form, m_document.language()),
-                    QStringLiteral("hint:%1:%2:%3").arg(step).arg(int{part()}).arg(hint));
+    editHints(tr("Edit a hint"), hints,
+              QStringLiteral("hint:%1:%2:%3").arg(m_document.step()).arg(int{part()}).arg(hint));
 }
 
 void TextTab::takeHints(const QStringList &hints, int current)
 {
-    const LabFiles &files = m_document.files();
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    (part() == CodeHints ? form->codeHints : form->hints) = hints;
-    m_document.edit(tr("Change the hints"),
-                    withTask(files, m_document.step(), *form, m_document.language()));
+    editHints(tr("Change the hints"), hints, {});
     m_hints->setCurrent(current);
     m_editor->setFocus();
 }
 
+void TextTab::editHints(const QString &text, const QStringList &hints, const QString &mergeKey)
+{
+    const auto change = [&](TaskForm &form) {
+        (part() == CodeHints ? form.codeHints : form.hints) = hints;
+    };
+    m_document.editTask(text, change, mergeKey);
+}
+
 void TextTab::takePrediction(const std::optional<Prediction> &prediction, const QString &field)
 {
-    const LabFiles &files = m_document.files();
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    form->prediction = prediction;
     const QString key = QStringLiteral("prediction:%1:%2").arg(m_document.step(), field);
-    if (!m_document.edit(tr("Edit the prediction"),
-                         withTask(files, m_document.step(), *form, m_document.language()),
-                         field.isEmpty() ? QString() : key))
+    if (!m_document.editTask(
+            tr("Edit the prediction"), [&](TaskForm &form) { form.prediction = prediction; },
+            field.isEmpty() ? QString() : key))
+        reload();
+}
+
+void TextTab::takeQuestions(const std::vector<Question> &questions, const QString &field)
+{
+    const QString key = QStringLiteral("questions:%1:%2").arg(m_document.step(), field);
+    if (!m_document.editTask(
+            tr("Edit the questions"), [&](TaskForm &form) { form.questions = questions; },
+            field.isEmpty() ? QString() : key))
         reload();
 }
 
@@ -110,20 +110,6 @@ void TextTab::insertFigure(const QString &name, const QString &description)
     m_part->setCurrentIndex(Instructions);
     m_editor->insertParagraph(QStringLiteral("![%1](%2)").arg(description, name));
     m_editor->setFocus();
-}
-
-void TextTab::takeQuestions(const std::vector<Question> &questions, const QString &field)
-{
-    const LabFiles &files = m_document.files();
-    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
-    if (!form)
-        return;
-    form->questions = questions;
-    const QString key = QStringLiteral("questions:%1:%2").arg(m_document.step(), field);
-    if (!m_document.edit(tr("Edit the questions"),
-                         withTask(files, m_document.step(), *form, m_document.language()),
-                         field.isEmpty() ? QString() : key))
-        reload();
 }
 
 } // namespace cradle
