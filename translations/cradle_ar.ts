@@ -9732,24 +9732,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>إزالة الفحص</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Delete</translation>
-    </message>
-    <message>
         <source>Move the check up</source>
         <translation>نقل الفحص إلى أعلى</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Up</translation>
-    </message>
-    <message>
         <source>Move the check down</source>
         <translation>نقل الفحص إلى أسفل</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Down</translation>
     </message>
 </context>
 <context>
@@ -11084,24 +11072,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>إزالة التلميح</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Delete</translation>
-    </message>
-    <message>
         <source>Move the hint up</source>
         <translation>نقل التلميح إلى أعلى</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Up</translation>
-    </message>
-    <message>
         <source>Move the hint down</source>
         <translation>نقل التلميح إلى أسفل</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Down</translation>
     </message>
 </context>
 <context>
@@ -12009,16 +11985,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>إعادة تسمية البرنامج</translation>
     </message>
     <message>
-        <source>F2</source>
-        <translation>F2</translation>
-    </message>
-    <message>
         <source>Remove the program</source>
         <translation>إزالة البرنامج</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Delete</translation>
     </message>
     <message>
         <source>A &amp;mistake that students make</source>
@@ -12336,24 +12304,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>إزالة السؤال</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Delete</translation>
-    </message>
-    <message>
         <source>Move the question up</source>
         <translation>نقل السؤال إلى أعلى</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Up</translation>
-    </message>
-    <message>
         <source>Move the question down</source>
         <translation>نقل السؤال إلى أسفل</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Down</translation>
     </message>
     <message>
         <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
@@ -12643,6 +12599,25 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Sets the values with which you passed this step; Undo takes that back</source>
         <translation>يضبط القيم التي اجتزت بها هذه المرحلة؛ والتراجع يلغي ذلك</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::RowsList</name>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Up</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Down</translation>
     </message>
 </context>
 <context>
@@ -13346,24 +13321,12 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
         <translation>إزالة المرحلة</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Delete</translation>
-    </message>
-    <message>
         <source>Move the step up</source>
         <translation>نقل المرحلة إلى أعلى</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Up</translation>
-    </message>
-    <message>
         <source>Move the step down</source>
         <translation>نقل المرحلة إلى أسفل</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Down</translation>
     </message>
     <message>
         <source>New step</source>
@@ -13767,10 +13730,6 @@ This scene belongs to no step: play with it. Choose a step above to go back to t
     <message>
         <source>Remove the value</source>
         <translation>إزالة القيمة</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Delete</translation>
     </message>
     <message>
         <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>

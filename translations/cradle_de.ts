@@ -9648,24 +9648,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Prüfung entfernen</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>Move the check up</source>
         <translation>Prüfung nach oben</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Auf</translation>
-    </message>
-    <message>
         <source>Move the check down</source>
         <translation>Prüfung nach unten</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Ab</translation>
     </message>
 </context>
 <context>
@@ -10976,24 +10964,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Hinweis entfernen</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>Move the hint up</source>
         <translation>Hinweis nach oben</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Auf</translation>
-    </message>
-    <message>
         <source>Move the hint down</source>
         <translation>Hinweis nach unten</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Ab</translation>
     </message>
 </context>
 <context>
@@ -11901,20 +11877,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Programm entfernen</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>A &amp;mistake that students make</source>
         <translation>Ein &amp;Fehler, den Studierende machen</translation>
     </message>
     <message>
         <source>A &amp;remark on work that passes</source>
         <translation>Eine &amp;Anmerkung zu Arbeiten, die bestehen</translation>
-    </message>
-    <message>
-        <source>F2</source>
-        <translation>F2</translation>
     </message>
     <message>
         <source>Take over a mistake</source>
@@ -12224,24 +12192,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Frage entfernen</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>Move the question up</source>
         <translation>Frage nach oben</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Auf</translation>
-    </message>
-    <message>
         <source>Move the question down</source>
         <translation>Frage nach unten</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Ab</translation>
     </message>
     <message>
         <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
@@ -12531,6 +12487,25 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Sets the values with which you passed this step; Undo takes that back</source>
         <translation>Setzt die Werte, mit denen du diesen Schritt geschafft hast; Rückgängig nimmt das zurück</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::RowsList</name>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Auf</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Ab</translation>
     </message>
 </context>
 <context>
@@ -13222,24 +13197,12 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
         <translation>Schritte des Labs</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
         <source>Move the step up</source>
         <translation>Schritt nach oben</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Auf</translation>
-    </message>
-    <message>
         <source>Move the step down</source>
         <translation>Schritt nach unten</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Ab</translation>
     </message>
     <message>
         <source>Title, version and id of the lab</source>
@@ -13631,10 +13594,6 @@ Diese Szene gehört zu keinem Schritt: Spiel mit ihr. Wähle oben einen Schritt,
     <message>
         <source>Remove the value</source>
         <translation>Wert entfernen</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Entf</translation>
     </message>
     <message>
         <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>

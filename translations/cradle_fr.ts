@@ -9648,24 +9648,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Supprimer la vérification</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
         <source>Move the check up</source>
         <translation>Monter la vérification</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Haut</translation>
-    </message>
-    <message>
         <source>Move the check down</source>
         <translation>Descendre la vérification</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Bas</translation>
     </message>
 </context>
 <context>
@@ -10976,24 +10964,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Supprimer l&apos;indice</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
         <source>Move the hint up</source>
         <translation>Monter l&apos;indice</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Haut</translation>
-    </message>
-    <message>
         <source>Move the hint down</source>
         <translation>Descendre l&apos;indice</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Bas</translation>
     </message>
 </context>
 <context>
@@ -11897,16 +11873,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Renommer le programme</translation>
     </message>
     <message>
-        <source>F2</source>
-        <translation>F2</translation>
-    </message>
-    <message>
         <source>Remove the program</source>
         <translation>Supprimer le programme</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Suppr</translation>
     </message>
     <message>
         <source>A &amp;mistake that students make</source>
@@ -12224,24 +12192,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Supprimer la question</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
         <source>Move the question up</source>
         <translation>Monter la question</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Haut</translation>
-    </message>
-    <message>
         <source>Move the question down</source>
         <translation>Descendre la question</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Bas</translation>
     </message>
     <message>
         <source>This step asks no question that counts. Add one with the plus: a number with its unit, a choice, an order, or a text that you read yourself.</source>
@@ -12531,6 +12487,25 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Sets the values with which you passed this step; Undo takes that back</source>
         <translation>Rétablit les valeurs avec lesquelles vous avez réussi cette étape&#xa0;; Annuler revient en arrière</translation>
+    </message>
+</context>
+<context>
+    <name>cradle::RowsList</name>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Haut</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Bas</translation>
     </message>
 </context>
 <context>
@@ -13214,24 +13189,12 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
         <translation>Supprimer l&apos;étape</translation>
     </message>
     <message>
-        <source>Delete</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
         <source>Move the step up</source>
         <translation>Monter l&apos;étape</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Haut</translation>
-    </message>
-    <message>
         <source>Move the step down</source>
         <translation>Descendre l&apos;étape</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Bas</translation>
     </message>
     <message>
         <source>New step</source>
@@ -13631,10 +13594,6 @@ Cette scène n&apos;appartient à aucune étape&#xa0;: jouez avec. Choisissez un
     <message>
         <source>Remove the value</source>
         <translation>Supprimer la valeur</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Suppr</translation>
     </message>
     <message>
         <source>No number has a name yet. Add one with the plus, and write it in braces, as {{e}}, where texts, programs and checks need it: then it stands in one place, and may be another for each student.</source>

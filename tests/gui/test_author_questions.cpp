@@ -21,6 +21,7 @@ private slots:
     void questionIsWritten();
     void whatIsNoValueStaysToBeMended();
     void answersOfAChoiceAreMarked();
+    void theLastOfSeveralIsRemoved();
     void studentAnswersWhatWasWritten();
 };
 
@@ -100,6 +101,25 @@ void TestAuthorQuestions::answersOfAChoiceAreMarked()
     answers->item(1)->setCheckState(Qt::Checked); // the mark moves
     QCOMPARE(questions(author)[0].chosen, std::vector<int>{1});
     QCOMPARE(answers->item(0)->checkState(), Qt::Unchecked);
+}
+
+/// The form goes on with the question before it. (It once looked for the one that was gone.)
+void TestAuthorQuestions::theLastOfSeveralIsRemoved()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openQuestions(author, folder);
+    author.fill("questionTitle", QStringLiteral("First"));
+    author.click(QStringLiteral("Add a question"));
+    author.fill("questionTitle", QStringLiteral("Second"));
+    author.click(QStringLiteral("Remove the question"));
+    QCOMPARE(questions(author).size(), std::size_t(1));
+    QCOMPARE(author.find<QListWidget>("questions")->currentRow(), 0);
+    QCOMPARE(author.find<QLineEdit>("questionTitle")->text(), QStringLiteral("First"));
+    QVERIFY(!author.button(QStringLiteral("Move the question up"))->isEnabled());
+    author.click(QStringLiteral("Remove the question"));
+    QVERIFY(questions(author).empty());
+    QVERIFY(!author.find<QLineEdit>("questionTitle")->isVisible());
 }
 
 void TestAuthorQuestions::studentAnswersWhatWasWritten()

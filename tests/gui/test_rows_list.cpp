@@ -4,7 +4,6 @@
 #include "views/author/rows_list.h"
 #include "views/theme.h"
 
-#include <QListWidget>
 #include <QTest>
 
 using namespace cradle;
@@ -32,8 +31,8 @@ void TestRowsList::rowsAreAsHighAsTheirLines()
 {
     QFETCH(double, scale);
     setTextScale(scale);
-    const std::unique_ptr<QListWidget> list(makeRowsList(QStringLiteral("rows"), nullptr));
-    wrapRows(list.get());
+    const auto list = std::make_unique<RowsList>(QStringLiteral("rows"), nullptr);
+    list->wrapRows();
     list->addItem(QStringLiteral("Momentum and kinetic energy are kept"));
     list->resize(static_cast<int>(400 * scale), 300);
     list->show();

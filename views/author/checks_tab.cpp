@@ -2,27 +2,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/checks_tab.h"
 
+#include "tasks/authoring/free_name.h"
 #include "views/author/check_editor.h"
 #include "views/author/check_program.h"
 #include "views/author/check_trial.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
-#include "views/author/tool_buttons.h"
 #include "views/icons.h"
 #include "views/on_change.h"
 
 #include <QBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QScrollArea>
 #include <QSplitter>
-#include <QToolButton>
+
+#include <algorithm>
 
 namespace cradle {
 
 namespace {
 
 constexpr int listWidth = 270; ///< px
+
+/// \p wish, or with a number, such that no check has it.
+QString freeId(const std::vector<CheckForm> &checks, const QString &wish)
+{
+    return freeName(wish, [&](const QString &id) {
+        return std::any_of(checks.begin(), checks.end(),
+                           [&](const CheckForm &check) { return check.id == id; });
+    });
+}
 
 } // namespace
 
@@ -40,16 +49,11 @@ void ChecksTab::makeLayout()
 {
     m_heading = makeHeading(this);
     auto *side = new QWidget(this);
-    m_list = makeRowsList(QStringLiteral("checks"), side);
-    wrapRows(m_list);
-    m_add = makeIconButton(QStringLiteral("add"), this);
-    m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);
-    m_remove = makeIconButton(QStringLiteral("remove"), this);
-    m_up = makeIconButton(QStringLiteral("up"), this);
-    m_down = makeIconButton(QStringLiteral("down"), this);
-    side->setLayout(
-        makeRowsColumn(m_heading, {m_up, m_down, m_add, m_duplicate, m_remove}, m_list));
-    setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
+    m_list = new RowsList(
+        QStringLiteral("checks"), side,
+        {RowsList::Add, RowsList::Duplicate, RowsList::Remove, RowsList::Up, RowsList::Down});
+    m_list->wrapRows();
+    side->setLayout(m_list->underHeading(m_heading));
 
     m_empty = makeMutedText(this);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -76,18 +80,14 @@ void ChecksTab::wire()
     connect(&m_document, &AuthorDocument::changed, this, &ChecksTab::reload);
     connect(&m_document, &AuthorDocument::stepChanged, this, &ChecksTab::reload);
     connect(&m_document, &AuthorDocument::languageChanged, this, &ChecksTab::reload);
-    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
-        if (!m_loading)
-            showCurrent();
-    });
+    connect(m_list, &RowsList::currentRowChanged, this, &ChecksTab::showCurrent);
+    connect(m_list, &RowsList::addRequested, this, &ChecksTab::addCheck);
+    connect(m_list, &RowsList::duplicateRequested, this, &ChecksTab::duplicateCheck);
+    connect(m_list, &RowsList::removeRequested, this, &ChecksTab::removeCheck);
+    connect(m_list, &RowsList::moveRequested, this, &ChecksTab::move);
     connect(m_editor, &CheckEditor::edited, this, &ChecksTab::takeCheck);
     connect(m_editor, &CheckEditor::refusalsChanged, this, &ChecksTab::markRefused);
     connect(&m_document, &AuthorDocument::opened, m_editor, &CheckEditor::forgetTexts);
-    connect(m_add, &QToolButton::clicked, this, &ChecksTab::addCheck);
-    connect(m_duplicate, &QToolButton::clicked, this, &ChecksTab::duplicateCheck);
-    connect(m_remove, &QToolButton::clicked, this, &ChecksTab::removeCheck);
-    connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
-    connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
 }
 
 void ChecksTab::reload()
@@ -98,16 +98,12 @@ void ChecksTab::reload()
     m_checks = form ? form->checks : std::vector<CheckForm>();
     const int before = m_shownStep == m_document.step() ? m_list->currentRow() : 0;
     m_shownStep = m_document.step();
-    m_loading = true;
-    setRowCount(m_list, static_cast<int>(m_checks.size()));
-    for (int i = 0; i < m_list->count(); ++i) {
-        const CheckForm &check = m_checks[static_cast<std::size_t>(i)];
-        m_list->item(i)->setText(check.title.isEmpty() ? check.id : check.title);
-        m_list->item(i)->setToolTip(check.id);
-    }
-    m_list->doItemsLayout(); // a title may take another number of lines now
-    chooseRow(m_list, before);
-    m_loading = false;
+    QStringList titles;
+    for (const CheckForm &check : m_checks)
+        titles.append(check.title.isEmpty() ? check.id : check.title);
+    m_list->showRows(titles, before);
+    for (int i = 0; i < m_list->count(); ++i)
+        m_list->item(i)->setToolTip(m_checks[static_cast<std::size_t>(i)].id);
     m_heading->setText(tr("Checks · %1").arg(m_list->count()));
     showCurrent();
 }
@@ -115,15 +111,10 @@ void ChecksTab::reload()
 void ChecksTab::showCurrent()
 {
     const int at = m_list->currentRow();
-    const bool writable = !m_document.isReadOnly();
     m_empty->setVisible(at < 0);
     m_splitter->widget(1)->setVisible(at >= 0);
-    m_editor->setReadOnly(!writable);
-    m_add->setEnabled(writable);
-    m_duplicate->setEnabled(writable && at >= 0);
-    m_remove->setEnabled(writable && at >= 0);
-    m_up->setEnabled(writable && at > 0);
-    m_down->setEnabled(writable && at >= 0 && at + 1 < m_list->count());
+    m_editor->setReadOnly(m_document.isReadOnly());
+    m_list->enableButtons(!m_document.isReadOnly());
     const CheckForm check = at >= 0 ? m_checks[static_cast<std::size_t>(at)] : CheckForm();
     if (at >= 0)
         m_editor->show(check, m_document.step());
@@ -178,16 +169,98 @@ void ChecksTab::showScript(const QString &file)
     }
 }
 
+void ChecksTab::store(const QString &text, const std::vector<CheckForm> &checks, int current,
+                      const QString &mergeKey, const std::optional<LabFiles> &base)
+{
+    const LabFiles files = base.value_or(m_document.files());
+    Result<TaskForm> form = taskForm(files, m_document.step(), m_document.language());
+    if (!form)
+        return;
+    form->checks = checks;
+    const bool done = m_document.edit(
+        text, withTask(files, m_document.step(), *form, m_document.language()), mergeKey);
+    if (!done)
+        reload();
+    else if (current >= 0)
+        m_list->setCurrentRow(current);
+}
+
+void ChecksTab::takeCheck(const CheckForm &check, const QString &field)
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    checks[static_cast<std::size_t>(at)] = check;
+    if (field == QLatin1String("kind") && check.kind == QLatin1String("script")) {
+        beginScript(checks, at);
+        return;
+    }
+    store(tr("Edit a check"), checks, at,
+          QStringLiteral("check:%1:%2:%3").arg(m_document.step()).arg(at).arg(field));
+}
+
+void ChecksTab::beginScript(std::vector<CheckForm> checks, int at)
+{
+    const LabFiles files = CheckProgram::begin(m_document.files(), m_document.step(),
+                                               checks[static_cast<std::size_t>(at)]);
+    store(tr("Edit a check"), checks, at, {}, files);
+}
+
+void ChecksTab::addCheck()
+{
+    std::vector<CheckForm> checks = m_checks;
+    CheckForm check;
+    check.kind = QStringLiteral("start");
+    check.id = freeId(checks, QStringLiteral("check"));
+    check.title = tr("New check");
+    check.scene = {{QStringLiteral("kind"), QStringLiteral("own")}};
+    const int at = m_list->currentRow() + 1;
+    checks.insert(checks.begin() + at, check);
+    store(tr("Add a check"), checks, at);
+}
+
+void ChecksTab::duplicateCheck()
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    CheckForm copy = checks[static_cast<std::size_t>(at)];
+    copy.id = freeId(checks, copy.id);
+    // A program of its own, too: else an edit of the copy would change the other check.
+    const LabFiles files = CheckProgram::copied(m_document.files(), m_document.step(), copy);
+    checks.insert(checks.begin() + at + 1, copy);
+    store(tr("Duplicate a check"), checks, at + 1, {}, files);
+}
+
+void ChecksTab::removeCheck()
+{
+    const int at = m_list->currentRow();
+    if (at < 0)
+        return;
+    std::vector<CheckForm> checks = m_checks;
+    checks.erase(checks.begin() + at);
+    store(tr("Remove a check"), checks, std::min(at, static_cast<int>(checks.size()) - 1));
+}
+
+void ChecksTab::move(int from, int to)
+{
+    std::vector<CheckForm> checks = m_checks;
+    std::swap(checks[static_cast<std::size_t>(from)], checks[static_cast<std::size_t>(to)]);
+    store(tr("Move a check"), checks, to);
+}
+
 void ChecksTab::retranslate()
 {
     m_heading->setText(tr("Checks · %1").arg(m_list->count()));
     m_list->setAccessibleName(tr("Checks of the step"));
     m_empty->setText(tr("No check yet. Add one with the plus, then say what is right."));
-    nameButton(m_add, tr("Add a check"));
-    nameButton(m_duplicate, tr("Duplicate the check"));
-    nameButton(m_remove, tr("Remove the check"), tr("Delete"));
-    nameButton(m_up, tr("Move the check up"), tr("Alt+Up"));
-    nameButton(m_down, tr("Move the check down"), tr("Alt+Down"));
+    m_list->nameButton(RowsList::Add, tr("Add a check"));
+    m_list->nameButton(RowsList::Duplicate, tr("Duplicate the check"));
+    m_list->nameButton(RowsList::Remove, tr("Remove the check"));
+    m_list->nameButton(RowsList::Up, tr("Move the check up"));
+    m_list->nameButton(RowsList::Down, tr("Move the check down"));
 }
 
 } // namespace cradle

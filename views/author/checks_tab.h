@@ -11,9 +11,7 @@
 
 QT_BEGIN_NAMESPACE
 class QLabel;
-class QListWidget;
 class QSplitter;
-class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
@@ -22,6 +20,7 @@ class CheckEditor;
 class CheckProgram;
 class CheckTrial;
 class CodeEditor;
+class RowsList;
 
 /// The checks of a step: a list in the order of the report, and the chosen one as a form. A check
 /// that is written in Lua has its program below the form.
@@ -50,7 +49,7 @@ private:
     void retranslate();
     void reload();
     void showCurrent();
-    void move(int by);
+    void move(int from, int to);
     void takeCheck(const CheckForm &check, const QString &field);
     void beginScript(std::vector<CheckForm> checks, int at);
     void store(const QString &text, const std::vector<CheckForm> &checks, int current,
@@ -60,19 +59,13 @@ private:
     AuthorDocument &m_document;
     std::vector<CheckForm> m_checks;
     QLabel *m_heading = nullptr;
-    QListWidget *m_list = nullptr;
-    QToolButton *m_add = nullptr;
-    QToolButton *m_duplicate = nullptr;
-    QToolButton *m_remove = nullptr;
-    QToolButton *m_up = nullptr;
-    QToolButton *m_down = nullptr;
+    RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QSplitter *m_splitter = nullptr;
     CheckEditor *m_editor = nullptr;
     CheckProgram *m_script = nullptr;
     CheckTrial *m_trial = nullptr;
     QString m_shownStep;
-    bool m_loading = false;
 };
 
 } // namespace cradle

@@ -3,6 +3,7 @@
 #include "views/author/find_panel.h"
 
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/item_texts.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
 #include "views/on_change.h"
@@ -14,7 +15,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSet>
 #include <QToolButton>
@@ -86,7 +86,7 @@ void FindPanel::makeLayout()
     m_count = new QLabel(this);
     m_replace = new QPushButton(this);
     m_close = makeIconButton(QStringLiteral("close"), this);
-    m_list = makeRowsList(QStringLiteral("findHits"), this);
+    m_list = new RowsList(QStringLiteral("findHits"), this);
     m_find->setObjectName(QStringLiteral("findText"));
     m_with->setObjectName(QStringLiteral("replaceText"));
     m_case->setObjectName(QStringLiteral("findCase"));
@@ -98,7 +98,6 @@ void FindPanel::makeLayout()
     setKind(m_count, "muted");
     setKind(m_replace, "small");
     m_list->setFixedHeight(listHeight);
-    m_where->addItems({QString(), QString()});
     auto *row = new QHBoxLayout;
     row->setContentsMargins(12, 6, 12, 6);
     row->setSpacing(8);
@@ -224,8 +223,7 @@ void FindPanel::retranslate()
     m_replace->setToolTip(tr("In all places of the list, as one edit"));
     m_case->setText(tr("Match case"));
     m_words->setText(tr("Whole words"));
-    m_where->setItemText(0, tr("In the whole lab"));
-    m_where->setItemText(1, tr("In this step"));
+    setItemTexts(*m_where, {tr("In the whole lab"), tr("In this step")});
     m_where->setAccessibleName(tr("Where to look"));
     nameButton(m_close, tr("Close the search"), tr("Esc"));
     m_list->setAccessibleName(tr("Places that were found"));

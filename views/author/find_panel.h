@@ -13,12 +13,13 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPushButton;
 class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
+
+class RowsList;
 
 /// Finds and replaces over the whole lab: below the tabs, hidden until it is asked for. A place is
 /// opened by choosing it; replacing all of them is one edit.
@@ -61,7 +62,7 @@ private:
     QLabel *m_count = nullptr;
     QPushButton *m_replace = nullptr;
     QToolButton *m_close = nullptr;
-    QListWidget *m_list = nullptr;
+    RowsList *m_list = nullptr;
 };
 
 } // namespace cradle

@@ -7,7 +7,6 @@
 #include "views/theme.h"
 
 #include <QLabel>
-#include <QListWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -34,10 +33,10 @@ FindingsList::FindingsList(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
     , m_heading(makeHeading(this))
-    , m_list(makeRowsList(QStringLiteral("authorFindings"), this))
+    , m_list(new RowsList(QStringLiteral("authorFindings"), this))
 {
     m_heading->setContentsMargins(12, 8, 12, 4);
-    wrapRows(m_list);
+    m_list->wrapRows();
     m_list->setMaximumHeight(mostHeight);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -8,10 +8,11 @@
 
 QT_BEGIN_NAMESPACE
 class QLabel;
-class QListWidget;
 QT_END_NAMESPACE
 
 namespace cradle {
+
+class RowsList;
 
 /// What is wrong in the lab's files: the heading says that nothing is, or how much.
 class FindingsList final : public QWidget
@@ -33,7 +34,7 @@ private:
 
     AuthorDocument &m_document;
     QLabel *m_heading;
-    QListWidget *m_list;
+    RowsList *m_list;
     std::vector<Error> m_findings;
 };
 

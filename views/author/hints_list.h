@@ -4,12 +4,9 @@
 
 #include <QWidget>
 
-QT_BEGIN_NAMESPACE
-class QListWidget;
-class QToolButton;
-QT_END_NAMESPACE
-
 namespace cradle {
+
+class RowsList;
 
 /// Hints in the order in which a student opens them: one is chosen to be written; add, remove,
 /// move by the buttons or Alt+Up and Alt+Down.
@@ -31,18 +28,11 @@ signals:
 private:
     void add();
     void remove();
-    void move(int by);
+    void move(int from, int to);
     void retranslate();
-    void enableButtons();
 
     QStringList m_hints;
-    QListWidget *m_list;
-    QToolButton *m_add;
-    QToolButton *m_remove;
-    QToolButton *m_up;
-    QToolButton *m_down;
-    bool m_readOnly = false;
-    bool m_loading = false;
+    RowsList *m_list;
 };
 
 } // namespace cradle

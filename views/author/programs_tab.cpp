@@ -8,7 +8,6 @@
 #include "views/author/program_files.h"
 #include "views/author/program_page.h"
 #include "views/author/rows_list.h"
-#include "views/author/tool_buttons.h"
 #include "views/code/code_editor.h"
 #include "views/icons.h"
 #include "views/menu.h"
@@ -16,7 +15,6 @@
 
 #include <QBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QSplitter>
 #include <QToolButton>
 
@@ -45,18 +43,16 @@ void ProgramsTab::makeLayout()
 {
     m_heading = makeHeading(this);
     auto *side = new QWidget(this);
-    m_list = makeRowsList(QStringLiteral("programs"), side);
+    m_list = new RowsList(QStringLiteral("programs"), side,
+                          {RowsList::Add, RowsList::Rename, RowsList::Remove});
     m_list->setIconSize(iconSquare(14));
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
-    m_add = makeIconButton(QStringLiteral("add"), this);
-    m_addMenu = new Menu(m_add);
+    QToolButton *add = m_list->button(RowsList::Add);
+    m_addMenu = new Menu(add);
     m_otherMenu = new OtherMistakesMenu(m_document, m_addMenu);
-    m_add->setMenu(m_addMenu);
-    m_add->setPopupMode(QToolButton::InstantPopup);
-    m_rename = makeIconButton(QStringLiteral("edit"), this);
-    m_remove = makeIconButton(QStringLiteral("remove"), this);
-    side->setLayout(makeRowsColumn(m_heading, {m_add, m_rename, m_remove}, m_list));
-    setRowKeys(m_list, {.remove = m_remove, .rename = [this] { renameProgram(); }});
+    add->setMenu(m_addMenu);
+    add->setPopupMode(QToolButton::InstantPopup);
+    side->setLayout(m_list->underHeading(m_heading));
     m_page = new ProgramPage(m_document, this);
 
     layOutSideBySide(this, {side, m_page}, {programsWidth, 800})->setStretchFactor(1, 1);
@@ -67,17 +63,17 @@ void ProgramsTab::wire()
     connect(&m_document, &AuthorDocument::changed, this, &ProgramsTab::reload);
     connect(&m_document, &AuthorDocument::stepChanged, this, &ProgramsTab::reload);
     connect(&m_document, &AuthorDocument::languageChanged, this, &ProgramsTab::reload);
-    connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem *item) {
-        if (m_loading || !item)
+    connect(m_list, &RowsList::currentRowChanged, this, [this](int row) {
+        if (m_loading || row < 0)
             return;
-        m_program = item->data(fileRole).toString();
+        m_program = m_list->item(row)->data(fileRole).toString();
         showProgram();
     });
-    connect(m_list, &QListWidget::itemChanged, this, &ProgramsTab::takeName);
-    connect(m_rename, &QToolButton::clicked, this, &ProgramsTab::renameProgram);
+    connect(m_list, &RowsList::itemChanged, this, &ProgramsTab::takeName);
+    connect(m_list, &RowsList::renameRequested, this, &ProgramsTab::renameProgram);
+    connect(m_list, &RowsList::removeRequested, this, &ProgramsTab::removeProgram);
     connect(m_addMenu, &QMenu::aboutToShow, m_otherMenu, &OtherMistakesMenu::fill);
     connect(m_otherMenu, &OtherMistakesMenu::chosen, this, &ProgramsTab::takeOver);
-    connect(m_remove, &QToolButton::clicked, this, &ProgramsTab::removeProgram);
 }
 
 void ProgramsTab::reload()
@@ -132,9 +128,10 @@ void ProgramsTab::showProgram()
 {
     const bool writable = !m_document.isReadOnly();
     const bool known = kindOfProgram(m_program).has_value();
-    m_add->setEnabled(writable);
-    m_rename->setEnabled(writable && known);
-    m_remove->setEnabled(writable && (known || m_document.files().contents.contains(path())));
+    const bool there = m_document.files().contents.contains(path());
+    m_list->enableButtons(writable);
+    m_list->button(RowsList::Rename)->setEnabled(writable && known);
+    m_list->button(RowsList::Remove)->setEnabled(writable && (known || there));
     m_page->showProgram(m_program);
 }
 
@@ -251,9 +248,9 @@ void ProgramsTab::retranslate()
 {
     m_heading->setText(tr("Programs"));
     m_list->setAccessibleName(tr("Programs of the step"));
-    nameButton(m_add, tr("Add a program"));
-    nameButton(m_rename, tr("Rename the program"), tr("F2"));
-    nameButton(m_remove, tr("Remove the program"), tr("Delete"));
+    m_list->nameButton(RowsList::Add, tr("Add a program"));
+    m_list->nameButton(RowsList::Rename, tr("Rename the program"));
+    m_list->nameButton(RowsList::Remove, tr("Remove the program"));
     m_addMenu->clear();
     m_addMenu->addAction(tr("A &mistake that students make"), this, &ProgramsTab::addMistake);
     m_addMenu->addAction(tr("A &remark on work that passes"), this, &ProgramsTab::addRemark);

@@ -9,9 +9,7 @@
 
 QT_BEGIN_NAMESPACE
 class QLabel;
-class QListWidget;
 class QListWidgetItem;
-class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
@@ -20,6 +18,7 @@ class CodeEditor;
 class Menu;
 class OtherMistakesMenu;
 class ProgramPage;
+class RowsList;
 
 /// The programs of a step: what a student starts from, the reference, known mistakes, and work
 /// that passes and deserves a word; beside them the chosen one.
@@ -57,12 +56,9 @@ private:
 
     AuthorDocument &m_document;
     QLabel *m_heading = nullptr;
-    QListWidget *m_list = nullptr;
-    QToolButton *m_add = nullptr;
+    RowsList *m_list = nullptr;
     Menu *m_addMenu = nullptr;
     OtherMistakesMenu *m_otherMenu = nullptr;
-    QToolButton *m_rename = nullptr;
-    QToolButton *m_remove = nullptr;
     ProgramPage *m_page = nullptr;
     QString m_program = QStringLiteral("solution.lua"); ///< below the step's folder
     QString m_listed;                                   ///< what the list was made of

@@ -16,9 +16,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QSignalBlocker>
-#include <QToolButton>
 
 namespace cradle {
 
@@ -49,14 +47,10 @@ Question withValuesPut(const Question &question, const Values &values)
 
 void QuestionsEditor::wire()
 {
-    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
-        if (!m_loading)
-            showCurrent();
-    });
-    connect(m_add, &QToolButton::clicked, this, &QuestionsEditor::add);
-    connect(m_remove, &QToolButton::clicked, this, &QuestionsEditor::remove);
-    connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
-    connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
+    connect(m_list, &RowsList::currentRowChanged, this, &QuestionsEditor::showCurrent);
+    connect(m_list, &RowsList::addRequested, this, &QuestionsEditor::add);
+    connect(m_list, &RowsList::removeRequested, this, &QuestionsEditor::remove);
+    connect(m_list, &RowsList::moveRequested, this, &QuestionsEditor::move);
     connect(m_kind, &QComboBox::activated, this, &QuestionsEditor::takeKind);
     connect(m_text, &MarkdownEditor::edited, this, [this](const QString &text) {
         if (at() < 0)
@@ -67,12 +61,10 @@ void QuestionsEditor::wire()
     for (int i = 0; i < LineCount; ++i)
         connect(m_lines[i], &QLineEdit::textEdited, this,
                 [this, i] { takeLine(static_cast<Line>(i)); });
-    connect(m_answers, &QListWidget::itemChanged, this, &QuestionsEditor::takeAnswers);
-    connect(m_answers, &QListWidget::currentRowChanged, this, &QuestionsEditor::enableButtons);
-    connect(m_addAnswer, &QToolButton::clicked, this, &QuestionsEditor::addAnswer);
-    connect(m_removeAnswer, &QToolButton::clicked, this, &QuestionsEditor::removeAnswer);
-    connect(m_answerUp, &QToolButton::clicked, this, [this] { moveAnswer(-1); });
-    connect(m_answerDown, &QToolButton::clicked, this, [this] { moveAnswer(1); });
+    connect(m_answers, &RowsList::itemChanged, this, &QuestionsEditor::takeAnswers);
+    connect(m_answers, &RowsList::addRequested, this, &QuestionsEditor::addAnswer);
+    connect(m_answers, &RowsList::removeRequested, this, &QuestionsEditor::removeAnswer);
+    connect(m_answers, &RowsList::moveRequested, this, &QuestionsEditor::moveAnswer);
 }
 
 int QuestionsEditor::at() const
@@ -81,23 +73,21 @@ int QuestionsEditor::at() const
 }
 
 void QuestionsEditor::showQuestions(const std::vector<Question> &questions, const QString &step,
-                                    const Values &values)
+                                    const Values &values, bool readOnly)
 {
+    m_readOnly = readOnly;
     m_values = values;
     const int before = step == m_step ? at() : 0;
     m_questions = questions;
     m_step = step;
-    m_loading = true;
-    setRowCount(m_list, static_cast<int>(questions.size()));
-    for (int i = 0; i < m_list->count(); ++i)
-        m_list->item(i)->setText(questions[static_cast<std::size_t>(i)].title);
-    m_list->doItemsLayout();
-    chooseRow(m_list, before);
-    m_loading = false;
-    m_heading->setText(tr("Questions · %1").arg(m_list->count()));
+    QStringList titles;
     std::vector<Question> shown;
-    for (const Question &question : questions)
+    for (const Question &question : questions) {
+        titles.append(question.title);
         shown.push_back(withValuesPut(question, values));
+    }
+    m_list->showRows(titles, before);
+    m_heading->setText(tr("Questions · %1").arg(m_list->count()));
     m_card->setQuestions(shown, {});
     m_card->setAnswers(rightAnswers(shown));
     m_cardCaption->setVisible(!questions.empty());
@@ -115,7 +105,7 @@ void QuestionsEditor::showCurrent()
         showLines();
         showAnswers();
     }
-    enableButtons();
+    enableFields();
 }
 
 bool QuestionsEditor::isShown(Line line) const
@@ -176,8 +166,7 @@ void QuestionsEditor::showAnswers()
                               : question.kind == Kind::One
                                   ? tr("Answers; mark the right one")
                                   : tr("Answers; mark all that are right"));
-    const int row = m_answers->currentRow();
-    setRowCount(m_answers, static_cast<int>(question.answers.size()));
+    m_answers->showRows(question.answers, m_answers->currentRow());
     for (int i = 0; i < m_answers->count(); ++i) {
         QListWidgetItem *item = m_answers->item(i);
         Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
@@ -186,38 +175,21 @@ void QuestionsEditor::showAnswers()
         if (!m_readOnly && question.kind != Kind::Order)
             flags |= Qt::ItemIsUserCheckable;
         item->setFlags(flags);
-        item->setText(question.answers[i]);
         if (question.kind == Kind::Order)
             item->setData(Qt::CheckStateRole, {});
         else
             item->setCheckState(isChosen(question, i) ? Qt::Checked : Qt::Unchecked);
     }
-    chooseRow(m_answers, row);
 }
 
-void QuestionsEditor::enableButtons()
+void QuestionsEditor::enableFields()
 {
-    const bool writable = !m_readOnly;
-    const bool any = at() >= 0;
-    m_add->setEnabled(writable && !m_step.isEmpty() && m_list->count() < mostQuestions);
-    m_remove->setEnabled(writable && any);
-    m_up->setEnabled(writable && at() > 0);
-    m_down->setEnabled(writable && any && at() + 1 < m_list->count());
-    m_kind->setEnabled(writable);
+    m_list->enableButtons(!m_readOnly, 0, m_step.isEmpty() ? 0 : mostQuestions);
+    m_answers->enableButtons(!m_readOnly, fewestAnswers, mostAnswers);
+    m_kind->setEnabled(!m_readOnly);
     m_text->setReadOnly(m_readOnly);
     for (QLineEdit *line : m_lines)
         line->setReadOnly(m_readOnly);
-    const int answer = m_answers->currentRow();
-    m_addAnswer->setEnabled(writable && m_answers->count() < mostAnswers);
-    m_removeAnswer->setEnabled(writable && answer >= 0 && m_answers->count() > fewestAnswers);
-    m_answerUp->setEnabled(writable && answer > 0);
-    m_answerDown->setEnabled(writable && answer >= 0 && answer + 1 < m_answers->count());
-}
-
-void QuestionsEditor::setReadOnly(bool readOnly)
-{
-    m_readOnly = readOnly;
-    showCurrent();
 }
 
 /// The window answers with showQuestions().

@@ -15,8 +15,6 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
-class QListWidget;
-class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
@@ -24,6 +22,7 @@ namespace cradle {
 class FormulaRenderer;
 class MarkdownEditor;
 class QuestionsCard;
+class RowsList;
 
 /// The questions that a step counts: a list, the chosen one as a form, and beside it what the
 /// student sees of them.
@@ -36,8 +35,7 @@ public:
 
     /// \param values  that expressions may name
     void showQuestions(const std::vector<Question> &questions, const QString &step,
-                       const Values &values);
-    void setReadOnly(bool readOnly);
+                       const Values &values, bool readOnly);
     void forgetTexts() { m_texts.clear(); } ///< of another lab
 
 signals:
@@ -56,13 +54,13 @@ private:
     void showCurrent();
     void showLines();
     void showAnswers();
-    void enableButtons();
+    void enableFields();
     void add();
     void remove();
-    void move(int by);
+    void move(int from, int to);
     void addAnswer();
     void removeAnswer();
-    void moveAnswer(int by);
+    void moveAnswer(int from, int to);
     void takeKind();
     void takeLine(Line line);
     void takeAnswers();
@@ -82,13 +80,8 @@ private:
     Values m_values;
     RefusedTexts m_texts;
     bool m_readOnly = false;
-    bool m_loading = false;
     QLabel *m_heading = nullptr;
-    QListWidget *m_list = nullptr;
-    QToolButton *m_add = nullptr;
-    QToolButton *m_remove = nullptr;
-    QToolButton *m_up = nullptr;
-    QToolButton *m_down = nullptr;
+    RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_form = nullptr;
     QFormLayout *m_rows = nullptr;
@@ -100,11 +93,7 @@ private:
     MarkdownEditor *m_text = nullptr;
     QWidget *m_answersPart = nullptr;
     QLabel *m_answersCaption = nullptr;
-    QListWidget *m_answers = nullptr;
-    QToolButton *m_addAnswer = nullptr;
-    QToolButton *m_removeAnswer = nullptr;
-    QToolButton *m_answerUp = nullptr;
-    QToolButton *m_answerDown = nullptr;
+    RowsList *m_answers = nullptr;
     QLabel *m_refusal = nullptr;
     QLabel *m_cardCaption = nullptr;
     QuestionsCard *m_card = nullptr;

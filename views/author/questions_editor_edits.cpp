@@ -8,10 +8,10 @@
 #include "tasks/values/put_values.h"
 #include "views/author/form_rows.h"
 #include "views/author/question_bounds.h"
+#include "views/author/rows_list.h"
 
 #include <QComboBox>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -45,18 +45,13 @@ void QuestionsEditor::add()
 
 void QuestionsEditor::remove()
 {
-    if (at() < 0)
-        return;
     m_questions.erase(m_questions.begin() + at());
     tell({});
 }
 
-void QuestionsEditor::move(int by)
+void QuestionsEditor::move(int from, int to)
 {
-    const int to = at() + by;
-    if (m_readOnly || at() < 0 || to < 0 || to >= m_list->count())
-        return;
-    std::swap(m_questions[static_cast<std::size_t>(at())],
+    std::swap(m_questions[static_cast<std::size_t>(from)],
               m_questions[static_cast<std::size_t>(to)]);
     tell({});
     m_list->setCurrentRow(to);
@@ -197,8 +192,6 @@ void QuestionsEditor::removeAnswer()
 {
     const int answer = m_answers->currentRow();
     Question &question = current();
-    if (answer < 0 || question.answers.size() <= fewestAnswers)
-        return;
     question.answers.removeAt(answer);
     std::vector<int> chosen;
     for (const int each : question.chosen) {
@@ -211,16 +204,12 @@ void QuestionsEditor::removeAnswer()
     tell({});
 }
 
-void QuestionsEditor::moveAnswer(int by)
+void QuestionsEditor::moveAnswer(int from, int to)
 {
-    const int answer = m_answers->currentRow();
-    const int to = answer + by;
-    if (m_readOnly || answer < 0 || to < 0 || to >= m_answers->count())
-        return;
     Question &question = current();
-    question.answers.swapItemsAt(answer, to);
+    question.answers.swapItemsAt(from, to);
     for (int &each : question.chosen)
-        each = each == answer ? to : each == to ? answer : each;
+        each = each == from ? to : each == to ? from : each;
     std::sort(question.chosen.begin(), question.chosen.end());
     tell({});
     m_answers->setCurrentRow(to);

@@ -6,7 +6,6 @@
 #include "views/author/markdown_editor.h"
 #include "views/author/question_bounds.h"
 #include "views/author/rows_list.h"
-#include "views/author/tool_buttons.h"
 #include "views/on_change.h"
 #include "views/task_pane/questions_card.h"
 
@@ -14,7 +13,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -36,7 +34,7 @@ QuestionsEditor::QuestionsEditor(FormulaRenderer *renderer, QWidget *parent)
                      {questionsWidth, 400, 400});
     retranslate();
     wire();
-    showQuestions({}, {}, {});
+    showQuestions({}, {}, {}, false);
     onChange(this, {QEvent::LanguageChange}, [this] {
         retranslate();
         showCurrent();
@@ -47,14 +45,10 @@ QWidget *QuestionsEditor::makeList()
 {
     auto *side = new QWidget;
     m_heading = makeHeading(side);
-    m_list = makeRowsList(QStringLiteral("questions"), side);
-    wrapRows(m_list);
-    m_add = makeIconButton(QStringLiteral("add"), side);
-    m_remove = makeIconButton(QStringLiteral("remove"), side);
-    m_up = makeIconButton(QStringLiteral("up"), side);
-    m_down = makeIconButton(QStringLiteral("down"), side);
-    side->setLayout(makeRowsColumn(m_heading, {m_up, m_down, m_add, m_remove}, m_list));
-    setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = {}});
+    m_list = new RowsList(QStringLiteral("questions"), side,
+                          {RowsList::Add, RowsList::Remove, RowsList::Up, RowsList::Down});
+    m_list->wrapRows();
+    side->setLayout(m_list->underHeading(m_heading));
     return side;
 }
 
@@ -108,20 +102,15 @@ QWidget *QuestionsEditor::makeAnswers()
 {
     m_answersPart = new QWidget(m_form);
     m_answersCaption = makeMutedText(m_answersPart);
-    m_answers = makeRowsList(QStringLiteral("questionAnswers"), m_answersPart);
+    m_answers = new RowsList(QStringLiteral("questionAnswers"), m_answersPart,
+                             {RowsList::Add, RowsList::Remove, RowsList::Up, RowsList::Down});
     m_answers->setFixedHeight(answersHeight);
     m_answers->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                                | QAbstractItemView::AnyKeyPressed);
-    m_addAnswer = makeIconButton(QStringLiteral("add"), m_answersPart);
-    m_removeAnswer = makeIconButton(QStringLiteral("remove"), m_answersPart);
-    m_answerUp = makeIconButton(QStringLiteral("up"), m_answersPart);
-    m_answerDown = makeIconButton(QStringLiteral("down"), m_answersPart);
-    setRowKeys(m_answers,
-               {.up = m_answerUp, .down = m_answerDown, .remove = m_removeAnswer, .rename = {}});
     auto *top = new QHBoxLayout;
     top->addWidget(m_answersCaption, 1);
-    for (QToolButton *button : {m_answerUp, m_answerDown, m_addAnswer, m_removeAnswer})
-        top->addWidget(button, 0, Qt::AlignBottom);
+    for (const auto each : {RowsList::Up, RowsList::Down, RowsList::Add, RowsList::Remove})
+        top->addWidget(m_answers->button(each), 0, Qt::AlignBottom);
     auto *column = new QVBoxLayout(m_answersPart);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
@@ -149,10 +138,10 @@ void QuestionsEditor::retranslate()
 {
     m_heading->setText(tr("Questions · %1").arg(m_list->count()));
     m_list->setAccessibleName(tr("Questions of the step"));
-    nameButton(m_add, tr("Add a question"));
-    nameButton(m_remove, tr("Remove the question"), tr("Delete"));
-    nameButton(m_up, tr("Move the question up"), tr("Alt+Up"));
-    nameButton(m_down, tr("Move the question down"), tr("Alt+Down"));
+    m_list->nameButton(RowsList::Add, tr("Add a question"));
+    m_list->nameButton(RowsList::Remove, tr("Remove the question"));
+    m_list->nameButton(RowsList::Up, tr("Move the question up"));
+    m_list->nameButton(RowsList::Down, tr("Move the question down"));
     m_empty->setText(tr("This step asks no question that counts. Add one with the plus: a number "
                         "with its unit, a choice, an order, or a text that you read yourself."));
     const QString names[] = {tr("A number"), tr("One choice"), tr("Several choices"),
@@ -181,10 +170,10 @@ void QuestionsEditor::retranslate()
     m_textCaption->setText(tr("What is asked"));
     m_text->setAccessibleName(tr("What is asked"));
     m_answers->setAccessibleName(tr("Answers"));
-    nameButton(m_addAnswer, tr("Add an answer"));
-    nameButton(m_removeAnswer, tr("Remove the answer"), tr("Delete"));
-    nameButton(m_answerUp, tr("Move the answer up"), tr("Alt+Up"));
-    nameButton(m_answerDown, tr("Move the answer down"), tr("Alt+Down"));
+    m_answers->nameButton(RowsList::Add, tr("Add an answer"));
+    m_answers->nameButton(RowsList::Remove, tr("Remove the answer"));
+    m_answers->nameButton(RowsList::Up, tr("Move the answer up"));
+    m_answers->nameButton(RowsList::Down, tr("Move the answer down"));
     m_cardCaption->setText(tr("What the student sees, answered rightly"));
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/rows_list.h"
 
+#include "views/author/tool_buttons.h"
 #include "views/theme.h"
 
 #include <QKeyEvent>
 #include <QLabel>
-#include <QListWidget>
+#include <QMetaMethod>
+#include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -18,42 +20,6 @@ namespace cradle {
 namespace {
 
 constexpr int rowPadding = 14; ///< px, at the left and right of a row together
-
-/// Looks at the keys of a list before the list does.
-class RowKeyFilter final : public QObject
-{
-public:
-    RowKeyFilter(QListWidget *list, RowKeys keys)
-        : QObject(list)
-        , m_keys(std::move(keys))
-    {
-        list->installEventFilter(this);
-    }
-
-protected:
-    bool eventFilter(QObject *watched, QEvent *event) override
-    {
-        if (event->type() != QEvent::KeyPress)
-            return QObject::eventFilter(watched, event);
-        const auto *key = static_cast<QKeyEvent *>(event);
-        if (key->key() == Qt::Key_F2 && m_keys.rename) {
-            m_keys.rename();
-            return true;
-        }
-        const bool alt = key->modifiers() == Qt::AltModifier;
-        QToolButton *button = alt && key->key() == Qt::Key_Up        ? m_keys.up
-                              : alt && key->key() == Qt::Key_Down    ? m_keys.down
-                              : !alt && key->key() == Qt::Key_Delete ? m_keys.remove
-                                                                     : nullptr;
-        if (!button)
-            return QObject::eventFilter(watched, event);
-        button->click();
-        return true;
-    }
-
-private:
-    RowKeys m_keys;
-};
 
 /// Qt forgets the padding of the style sheet when it counts the lines of a row.
 class WrappedRow final : public QStyledItemDelegate
@@ -79,59 +45,115 @@ QLabel *makeHeading(QWidget *parent)
     return label;
 }
 
-QListWidget *makeRowsList(const QString &name, QWidget *parent)
+RowsList::RowsList(const QString &name, QWidget *parent, std::initializer_list<Button> buttons)
+    : QListWidget(parent)
 {
-    auto *list = new QListWidget(parent);
-    list->setObjectName(name);
-    list->setFrameShape(QFrame::NoFrame);
-    setKind(list, "rows");
-    list->setTextElideMode(Qt::ElideNone); // it scrolls
-    list->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    return list;
+    setObjectName(name);
+    setFrameShape(QFrame::NoFrame);
+    setKind(this, "rows");
+    setTextElideMode(Qt::ElideNone); // it scrolls
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    const char *const icons[] = {"add", "duplicate", "edit", "remove", "up", "down"};
+    for (const Button each : buttons)
+        m_buttons[each] = makeIconButton(QLatin1String(icons[each]), parent);
+    const auto listen = [this](Button which, auto act) {
+        if (m_buttons[which])
+            connect(m_buttons[which], &QToolButton::clicked, this, act);
+    };
+    listen(Add, &RowsList::addRequested);
+    listen(Duplicate, &RowsList::duplicateRequested);
+    listen(Rename, &RowsList::renameRequested);
+    listen(Remove, &RowsList::removeRequested);
+    listen(Up, [this] { emit moveRequested(currentRow(), currentRow() - 1); });
+    listen(Down, [this] { emit moveRequested(currentRow(), currentRow() + 1); });
+    connect(this, &QListWidget::currentRowChanged, this, &RowsList::followRow);
 }
 
-void setRowCount(QListWidget *list, int count)
+void RowsList::nameButton(Button which, const QString &name)
 {
-    while (list->count() > count)
-        delete list->takeItem(list->count() - 1);
-    while (list->count() < count)
-        list->addItem(QString());
+    const QString keys[] = {{}, {}, tr("F2"), tr("Delete"), tr("Alt+Up"), tr("Alt+Down")};
+    cradle::nameButton(m_buttons[which], name, keys[which]);
 }
 
-void chooseRow(QListWidget *list, int row)
+void RowsList::enableButtons(bool writable, int fewest, int most)
 {
-    const int last = list->count() - 1;
-    list->setCurrentRow(std::clamp(row, std::min(0, last), last));
+    m_writable = writable;
+    m_fewest = fewest;
+    m_most = most;
+    followRow();
 }
 
-void wrapRows(QListWidget *list)
+void RowsList::followRow()
 {
-    list->setWordWrap(true);
-    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list->setResizeMode(QListView::Adjust);
-    list->setItemDelegate(new WrappedRow(list));
+    const int row = currentRow();
+    const bool any = row >= 0;
+    const bool enabled[] = {count() < m_most,          any,     any,
+                            any && count() > m_fewest, row > 0, any && row + 1 < count()};
+    for (int i = 0; i < ButtonCount; ++i) {
+        if (m_buttons[i])
+            m_buttons[i]->setEnabled(m_writable && enabled[i]);
+    }
 }
 
-QBoxLayout *makeRowsColumn(QLabel *heading, const std::vector<QToolButton *> &buttons,
-                           QListWidget *list)
+QBoxLayout *RowsList::underHeading(QLabel *heading)
 {
     auto *row = new QHBoxLayout;
     row->setContentsMargins(12, 6, 6, 4);
     row->setSpacing(0);
     row->addWidget(heading, 1);
-    for (QToolButton *button : buttons)
-        row->addWidget(button);
+    for (const Button each : {Up, Down, Add, Duplicate, Rename, Remove}) {
+        if (m_buttons[each])
+            row->addWidget(m_buttons[each]);
+    }
     auto *column = new QVBoxLayout;
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(row);
-    column->addWidget(list, 1);
+    column->addWidget(this, 1);
     return column;
 }
 
-void setRowKeys(QListWidget *list, const RowKeys &keys)
+void RowsList::wrapRows()
 {
-    new RowKeyFilter(list, keys);
+    setWordWrap(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setResizeMode(QListView::Adjust);
+    setItemDelegate(new WrappedRow(this));
+}
+
+void RowsList::showRows(const QStringList &texts, int current)
+{
+    {
+        const QSignalBlocker blocker(this);
+        const auto wanted = static_cast<int>(texts.size());
+        while (count() > wanted)
+            delete takeItem(count() - 1);
+        for (int i = 0; i < wanted; ++i) {
+            if (i == count())
+                addItem(QString());
+            item(i)->setText(texts[i]);
+        }
+        doItemsLayout(); // a text may take another number of lines now
+        setCurrentRow(std::clamp(current, std::min(0, wanted - 1), wanted - 1));
+    }
+    followRow();
+}
+
+void RowsList::keyPressEvent(QKeyEvent *event)
+{
+    const bool alt = event->modifiers() == Qt::AltModifier;
+    const int key = event->key();
+    QToolButton *pressed = alt && key == Qt::Key_Up        ? m_buttons[Up]
+                           : alt && key == Qt::Key_Down    ? m_buttons[Down]
+                           : !alt && key == Qt::Key_Delete ? m_buttons[Remove]
+                                                           : nullptr;
+    if (pressed)
+        pressed->click();
+    else if (key == Qt::Key_F2
+             && isSignalConnected(QMetaMethod::fromSignal(&RowsList::renameRequested)))
+        emit renameRequested();
+    else
+        QListWidget::keyPressEvent(event);
 }
 
 } // namespace cradle

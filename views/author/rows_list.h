@@ -2,53 +2,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QtGlobal>
+#include <QListWidget>
 
-#include <functional>
-#include <vector>
+#include <limits>
 
 QT_BEGIN_NAMESPACE
 class QBoxLayout;
 class QLabel;
-class QListWidget;
-class QString;
 class QToolButton;
-class QWidget;
 QT_END_NAMESPACE
 
 namespace cradle {
 
-// A heading over a list of rows with buttons: how all lists of the author's window look.
-
 /// A section heading, still without text.
 [[nodiscard]] QLabel *makeHeading(QWidget *parent);
 
-/// A list without a frame that never scrolls sideways.
-/// \param name  of the object
-[[nodiscard]] QListWidget *makeRowsList(const QString &name, QWidget *parent);
+/// Rows without a frame, as all lists of the author's window look, with a button for each thing
+/// that can be done with them. Alt+Up, Alt+Down and Delete press these, as far as they are enabled.
+class RowsList final : public QListWidget
+{
+    Q_OBJECT
+public:
+    enum Button { Add, Duplicate, Rename, Remove, Up, Down, ButtonCount };
 
-/// Gives \p list so many rows: new ones without text at its end, or fewer; its items stay.
-void setRowCount(QListWidget *list, int count);
+    /// \param name  of the object
+    /// \param buttons  that it has; they are shown where underHeading() or the owner puts them
+    RowsList(const QString &name, QWidget *parent, std::initializer_list<Button> buttons = {});
 
-/// Makes the row that was current, or the last one there is, current again; none where there is
-/// none.
-void chooseRow(QListWidget *list, int row);
+    /// nullptr if there is none.
+    [[nodiscard]] QToolButton *button(Button which) const { return m_buttons[which]; }
+    /// Its tooltip, with the key that presses it, and accessible name.
+    void nameButton(Button which, const QString &name);
+    /// Enables the buttons as long as there are no more rows than \p most and no fewer than
+    /// \p fewest; none of them if the rows are not \p writable.
+    void enableButtons(bool writable, int fewest = 0, int most = std::numeric_limits<int>::max());
+    /// \p heading with the buttons at its right, and the list below.
+    [[nodiscard]] QBoxLayout *underHeading(QLabel *heading);
+    /// Lets long texts take several lines.
+    void wrapRows();
 
-/// Lets long texts of \p list take several lines.
-void wrapRows(QListWidget *list);
+    /// Shows \p texts, and makes row \p current, or the last one there is, the current one; says
+    /// nothing of it.
+    void showRows(const QStringList &texts, int current);
 
-/// \p heading with \p buttons at its right, and \p list below.
-[[nodiscard]] QBoxLayout *makeRowsColumn(QLabel *heading, const std::vector<QToolButton *> &buttons,
-                                         QListWidget *list);
+signals:
+    void addRequested();
+    void duplicateRequested();
+    void renameRequested(); ///< also by F2, which does what it always does if nobody listens
+    void removeRequested();
+    void moveRequested(int from, int to);
 
-/// What the keys of a list do: Alt+Up, Alt+Down and Delete press buttons, as far as these are
-/// enabled; F2 renames.
-struct RowKeys {
-    QToolButton *up = nullptr; ///< nullptr: the key does nothing of its own
-    QToolButton *down = nullptr;
-    QToolButton *remove = nullptr;
-    std::function<void()> rename{};
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void followRow();
+
+    QToolButton *m_buttons[ButtonCount]{};
+    bool m_writable = false;
+    int m_fewest = 0;
+    int m_most = 0;
 };
-void setRowKeys(QListWidget *list, const RowKeys &keys);
 
 } // namespace cradle

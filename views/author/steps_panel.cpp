@@ -15,7 +15,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QToolButton>
 
 namespace cradle {
@@ -62,14 +61,11 @@ StepsPanel::StepsPanel(AuthorDocument &document, QWidget *parent)
             Qt::QueuedConnection);
     connect(m_list->model(), &QAbstractItemModel::rowsInserted, this, &StepsPanel::takeOrder,
             Qt::QueuedConnection);
-    const std::pair<QToolButton *, void (StepsPanel::*)()> buttons[] = {
-        {m_add, &StepsPanel::addStep},
-        {m_duplicate, &StepsPanel::duplicateStep},
-        {m_remove, &StepsPanel::removeStep},
-        {m_up, &StepsPanel::moveUp},
-        {m_down, &StepsPanel::moveDown}};
-    for (const auto &[button, slot] : buttons)
-        connect(button, &QToolButton::clicked, this, slot);
+    connect(m_list, &RowsList::addRequested, this, &StepsPanel::addStep);
+    connect(m_list, &RowsList::duplicateRequested, this, &StepsPanel::duplicateStep);
+    connect(m_list, &RowsList::renameRequested, this, &StepsPanel::renameStep);
+    connect(m_list, &RowsList::removeRequested, this, &StepsPanel::removeStep);
+    connect(m_list, &RowsList::moveRequested, this, [this](int from, int to) { move(to - from); });
     reload();
     markFindings();
 }
@@ -81,7 +77,9 @@ void StepsPanel::makeLayout()
     setKind(m_title, "cardTitle");
     m_properties = makeIconButton(QStringLiteral("settings"), this);
     m_heading = makeHeading(this);
-    m_list = makeRowsList(QStringLiteral("authorSteps"), this);
+    m_list = new RowsList(
+        QStringLiteral("authorSteps"), this,
+        {RowsList::Add, RowsList::Duplicate, RowsList::Remove, RowsList::Up, RowsList::Down});
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -93,14 +91,6 @@ void StepsPanel::makeLayout()
             emit menuRequested(m_list->viewport()->mapToGlobal(at));
     });
     m_findings = new FindingsList(m_document, this);
-    m_add = makeIconButton(QStringLiteral("add"), this);
-    m_duplicate = makeIconButton(QStringLiteral("duplicate"), this);
-    m_remove = makeIconButton(QStringLiteral("remove"), this);
-    m_up = makeIconButton(QStringLiteral("up"), this);
-    m_down = makeIconButton(QStringLiteral("down"), this);
-    setRowKeys(m_list, {.up = m_up, .down = m_down, .remove = m_remove, .rename = [this] {
-                            renameStep();
-                        }});
     auto *lab = new QHBoxLayout;
     lab->setContentsMargins(12, 6, 6, 0);
     lab->addWidget(m_title, 1);
@@ -109,8 +99,7 @@ void StepsPanel::makeLayout()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(lab);
-    column->addLayout(
-        makeRowsColumn(m_heading, {m_up, m_down, m_add, m_duplicate, m_remove}, m_list), 1);
+    column->addLayout(m_list->underHeading(m_heading), 1);
     column->addWidget(m_findings);
 }
 
@@ -170,13 +159,8 @@ void StepsPanel::markFindings()
 
 void StepsPanel::enableButtons()
 {
-    const auto at = m_document.steps().indexOf(m_document.step());
     const bool writable = !m_document.isReadOnly();
-    m_add->setEnabled(writable);
-    m_duplicate->setEnabled(writable && at >= 0);
-    m_remove->setEnabled(writable && at >= 0 && m_document.steps().size() > 1);
-    m_up->setEnabled(writable && at > 0);
-    m_down->setEnabled(writable && at >= 0 && at + 1 < m_document.steps().size());
+    m_list->enableButtons(writable, 1);
     m_list->setDragEnabled(writable);
     m_list->setEditTriggers(writable ? QAbstractItemView::DoubleClicked
                                            | QAbstractItemView::EditKeyPressed
@@ -189,11 +173,11 @@ void StepsPanel::retranslate()
     m_list->setAccessibleName(tr("Steps of the lab"));
     m_title->setText(m_document.title());
     nameButton(m_properties, tr("Title, version and id of the lab"));
-    nameButton(m_add, tr("Add a step"));
-    nameButton(m_duplicate, tr("Duplicate the step"));
-    nameButton(m_remove, tr("Remove the step"), tr("Delete"));
-    nameButton(m_up, tr("Move the step up"), tr("Alt+Up"));
-    nameButton(m_down, tr("Move the step down"), tr("Alt+Down"));
+    m_list->nameButton(RowsList::Add, tr("Add a step"));
+    m_list->nameButton(RowsList::Duplicate, tr("Duplicate the step"));
+    m_list->nameButton(RowsList::Remove, tr("Remove the step"));
+    m_list->nameButton(RowsList::Up, tr("Move the step up"));
+    m_list->nameButton(RowsList::Down, tr("Move the step down"));
 }
 
 } // namespace cradle

@@ -9,7 +9,6 @@
 
 QT_BEGIN_NAMESPACE
 class QLabel;
-class QListWidget;
 class QListWidgetItem;
 class QToolButton;
 QT_END_NAMESPACE
@@ -17,6 +16,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 class FindingsList;
+class RowsList;
 
 /// The steps of the lab that is written: add, duplicate, remove, rename in place, reorder by drag
 /// or Alt+Up and Alt+Down. Below them, what is wrong with the lab's files; a click goes there.
@@ -60,12 +60,7 @@ private:
     QLabel *m_title = nullptr; ///< of the lab
     QToolButton *m_properties = nullptr;
     QLabel *m_heading = nullptr;
-    QListWidget *m_list = nullptr;
-    QToolButton *m_add = nullptr;
-    QToolButton *m_duplicate = nullptr;
-    QToolButton *m_remove = nullptr;
-    QToolButton *m_up = nullptr;
-    QToolButton *m_down = nullptr;
+    RowsList *m_list = nullptr;
     FindingsList *m_findings = nullptr;
     QByteArrayList m_shown; ///< what the rows were made of
     bool m_loading = false;

@@ -162,7 +162,6 @@ void TextTab::reload()
     m_figure->setEnabled(!m_document.isReadOnly());
     m_hints->setReadOnly(m_document.isReadOnly());
     m_prediction->setReadOnly(m_document.isReadOnly());
-    m_questions->setReadOnly(m_document.isReadOnly());
     const bool writes = part() == Instructions || part() == Hints || part() == CodeHints;
     m_splitter->setVisible(writes);
     m_prediction->setVisible(part() == PredictionPart);
@@ -186,7 +185,8 @@ void TextTab::reloadForm()
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
     m_prediction->showPrediction(form->prediction);
     m_questions->showQuestions(form->questions, m_document.step(),
-                               valuesOf(m_document.files(), m_document.step(), {}));
+                               valuesOf(m_document.files(), m_document.step(), {}),
+                               m_document.isReadOnly());
     if (hints != m_shownHints) {
         m_shownHints = hints;
         m_hints->showHints(hints);

@@ -6,12 +6,11 @@
 #include "model/world/shortest_number.h"
 #include "tasks/values/lab_values.h"
 #include "views/author/form_rows.h"
-#include "views/author/tool_buttons.h"
+#include "views/author/rows_list.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QToolButton>
 
 #include <algorithm>
@@ -38,15 +37,14 @@ bool isSame(const QString &typed, const QString &text)
 
 void ValuesEditor::wire()
 {
-    connect(m_list, &QListWidget::currentRowChanged, this, [this] {
-        if (m_loading)
-            return;
+    connect(m_list, &RowsList::currentRowChanged, this, [this] {
         m_chosen = at() < 0 ? QString() : subjectOf(current());
         ++m_typing;
         showCurrent();
     });
-    connect(m_add, &QToolButton::clicked, this, &ValuesEditor::add);
-    connect(m_remove, &QToolButton::clicked, this, &ValuesEditor::remove);
+    connect(m_list, &RowsList::addRequested, this, &ValuesEditor::add);
+    connect(m_list, &RowsList::removeRequested, this, &ValuesEditor::remove);
+    connect(m_list, &RowsList::renameRequested, this, &ValuesEditor::writeName);
     connect(m_kind, &QComboBox::activated, this, &ValuesEditor::takeKind);
     connect(m_place, &QComboBox::activated, this, &ValuesEditor::takePlace);
     connect(m_draw, &QLineEdit::textEdited, this, &ValuesEditor::takeDraw);
@@ -84,17 +82,15 @@ void ValuesEditor::reload()
         for (const ValueForm &value : valueForms(m_document.files(), step))
             m_rows.push_back({step, value});
     }
-    m_loading = true;
-    m_list->clear();
+    QStringList rows;
     int chosen = 0;
     for (const Row &row : m_rows) {
         if (subjectOf(row) == m_chosen)
-            chosen = m_list->count();
-        m_list->addItem(rowText(row));
+            chosen = static_cast<int>(rows.size());
+        rows.append(rowText(row));
     }
-    m_list->setCurrentRow(std::min(chosen, m_list->count() - 1));
+    m_list->showRows(rows, chosen);
     m_chosen = at() < 0 ? QString() : subjectOf(current());
-    m_loading = false;
     m_heading->setText(tr("Values · %1").arg(m_list->count()));
     if (const QString draw = drawOf(m_document.files()); m_draw->text() != draw)
         m_draw->setText(draw);
@@ -126,9 +122,10 @@ void ValuesEditor::showCurrent()
     const bool any = at() >= 0;
     m_empty->setVisible(!any);
     m_form->setVisible(any);
-    m_add->setEnabled(writable && !m_document.steps().isEmpty()
-                      && taken(m_document.step()).size() < mostValues);
-    m_remove->setEnabled(writable && any);
+    m_list->enableButtons(writable);
+    m_list->button(RowsList::Add)
+        ->setEnabled(writable && !m_document.steps().isEmpty()
+                     && taken(m_document.step()).size() < mostValues);
     m_kind->setEnabled(writable);
     m_place->setEnabled(writable);
     m_draw->setReadOnly(!writable);

@@ -12,11 +12,11 @@ QT_BEGIN_NAMESPACE
 class QComboBox;
 class QLabel;
 class QLineEdit;
-class QListWidget;
-class QToolButton;
 QT_END_NAMESPACE
 
 namespace cradle {
+
+class RowsList;
 
 /// The named values of the lab and of the open step: a list, the chosen one as a form, and beside
 /// it what it comes to for students and where it is used.
@@ -49,6 +49,7 @@ private:
     void showLines();
     void showFacts();
     void add();
+    void writeName(); ///< puts the keyboard there
     void remove();
     void takeLines(Line changed);
     void takeKind();
@@ -71,11 +72,8 @@ private:
     QString m_chosen; ///< subjectOf() the current row
     RefusedTexts m_texts;
     int m_typing = 0; ///< typing into one value is one undo step a line
-    bool m_loading = false;
     QLabel *m_heading = nullptr;
-    QListWidget *m_list = nullptr;
-    QToolButton *m_add = nullptr;
-    QToolButton *m_remove = nullptr;
+    RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_form = nullptr;
     QLabel *m_kindCaption = nullptr;

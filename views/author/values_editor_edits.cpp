@@ -7,11 +7,11 @@
 #include "tasks/authoring/free_name.h"
 #include "tasks/values/lab_values.h"
 #include "views/author/form_rows.h"
+#include "views/author/rows_list.h"
 
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 
 #include <algorithm>
 
@@ -182,14 +182,17 @@ void ValuesEditor::add()
     if (!m_document.edit(tr("Add a value"),
                          withValueForms(m_document.files(), m_document.step(), values)))
         return;
+    writeName();
+}
+
+void ValuesEditor::writeName()
+{
     m_lines[Name]->setFocus();
     m_lines[Name]->selectAll();
 }
 
 void ValuesEditor::remove()
 {
-    if (at() < 0)
-        return;
     const Row row = current();
     std::vector<ValueForm> values = valueForms(m_document.files(), row.step);
     values.erase(

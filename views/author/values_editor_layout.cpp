@@ -5,14 +5,12 @@
 #include "views/author/form_rows.h"
 #include "views/author/item_texts.h"
 #include "views/author/rows_list.h"
-#include "views/author/tool_buttons.h"
 #include "views/on_change.h"
 
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -46,15 +44,9 @@ QWidget *ValuesEditor::makeList()
 {
     auto *side = new QWidget;
     m_heading = makeHeading(side);
-    m_list = makeRowsList(QStringLiteral("values"), side);
-    wrapRows(m_list);
-    m_add = makeIconButton(QStringLiteral("add"), side);
-    m_remove = makeIconButton(QStringLiteral("remove"), side);
-    side->setLayout(makeRowsColumn(m_heading, {m_add, m_remove}, m_list));
-    setRowKeys(m_list, {.up = nullptr, .down = nullptr, .remove = m_remove, .rename = [this] {
-                            m_lines[Name]->setFocus();
-                            m_lines[Name]->selectAll();
-                        }});
+    m_list = new RowsList(QStringLiteral("values"), side, {RowsList::Add, RowsList::Remove});
+    m_list->wrapRows();
+    side->setLayout(m_list->underHeading(m_heading));
     return side;
 }
 
@@ -135,8 +127,8 @@ void ValuesEditor::retranslate()
 {
     m_heading->setText(tr("Values · %1").arg(m_list->count()));
     m_list->setAccessibleName(tr("Values of the lab and of the step"));
-    nameButton(m_add, tr("Add a value"));
-    nameButton(m_remove, tr("Remove the value"), tr("Delete"));
+    m_list->nameButton(RowsList::Add, tr("Add a value"));
+    m_list->nameButton(RowsList::Remove, tr("Remove the value"));
     m_empty->setText(tr("No number has a name yet. Add one with the plus, and write it in braces, "
                         "as {{e}}, where texts, programs and checks need it: then it stands in one "
                         "place, and may be another for each student."));
