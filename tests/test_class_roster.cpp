@@ -71,13 +71,18 @@ void TestClassRoster::onlyTheRosterGivesNumbersForValues()
     const Made made;
     made.file("Ada Lovelace_1234567_assignsubmission_file_/lab.lua");
     made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
-    const auto roster =
-        rosterFrom(text("id,name,number\nada,Ada Lovelace,00417\nbob,Bob Boole,\n"), {});
+    made.file("Cy Young_1234569_assignsubmission_file_/lab.lua");
+    const auto roster = rosterFrom(text("id,folder,name,number\n"
+                                        "ada,,Ada Lovelace,00417\n"
+                                        "bob,,Bob Boole,\n"
+                                        ",Cy Young_1234569_assignsubmission_file_,,23\n"),
+                                   {});
     QVERIFY(roster.ok());
     const ClassFolder found = made.read(*roster);
-    QCOMPARE(idsOf(found), (QStringList{text("ada"), text("bob")}));
-    QCOMPARE(found.students[0].rosterNumbers, (QStringList{text("00417"), text("ada")}));
-    QCOMPARE(found.students[1].rosterNumbers, QStringList());
+    QCOMPARE(idsOf(found), (QStringList{text("1234569"), text("ada"), text("bob")}));
+    QCOMPARE(found.students[0].rosterNumbers, QStringList{text("23")});
+    QCOMPARE(found.students[1].rosterNumbers, (QStringList{text("00417"), text("ada")}));
+    QCOMPARE(found.students[2].rosterNumbers, QStringList());
 }
 
 void TestClassRoster::whatTheRosterHasTwiceIsTold()

@@ -166,12 +166,14 @@ void TestProgramRun::notesBelongToTheirSteps()
 {
     Simulation simulation(oneCircle());
     Walker walker;
+    walker.output.text = QStringLiteral("loaded\n");
     simulation.setProgram(&walker);
     simulation.goTo(3);
     const ProgramNotes &notes = simulation.notes();
-    QCOMPARE(notes.lines().size(), 3u);
-    QCOMPARE(notes.lines()[1].step, 2);
-    QCOMPARE(notes.lines()[1].text, QStringLiteral("step"));
+    QCOMPARE(notes.lines().size(), 4u);
+    QCOMPARE(notes.lines()[0].step, 0);
+    QCOMPARE(notes.lines()[2].step, 2);
+    QCOMPARE(notes.lines()[2].text, QStringLiteral("step"));
     QCOMPARE(notes.curves().size(), 1u);
     QCOMPARE(notes.curves()[0].values, (std::vector<double>{1.0, 2.0, 3.0}));
     QCOMPARE(notes.drawings(2)[0].from.x, 2.0);
