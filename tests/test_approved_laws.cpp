@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/approved_text.h"
 #include "tests/lab_test.h"
+#include "tests/slips.h"
 
 #include "tasks/checks/check_library.h"
 #include "tasks/judging/measured_laws.h"
@@ -296,6 +297,7 @@ void TestApprovedLaws::scenesAreAsApproved()
 void TestApprovedLaws::lawsAreAsApproved()
 {
     QString all;
+    std::size_t step = 0;
     for (const Lab &lab : m_labs) {
         for (const Task &task : lab.tasks) {
             all += task.id + lawsTold(task, task.solution);
@@ -303,6 +305,13 @@ void TestApprovedLaws::lawsAreAsApproved()
             for (std::size_t i = 0; i < task.mistakes.size(); i += 3)
                 all += task.id + QLatin1Char(' ') + task.mistakes[i].name
                        + lawsTold(task, task.mistakes[i].source);
+            // Every fourth, others in the next step.
+            for (std::size_t i = step++ % 4; i < std::size(approved::slips); i += 4) {
+                Print print;
+                print.add(lawsTold(task, approved::withSlip(task.solution, approved::slips[i])));
+                all += task.id + QStringLiteral(" %1: ").arg(QLatin1String(approved::slips[i]))
+                       + print.text() + QLatin1Char('\n');
+            }
         }
     }
     const QString difference = approved::compare(QStringLiteral("laws.txt"), all);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/approved_programs.h"
+#include "tests/slips.h"
 
 #include "tasks/authoring/mutations.h"
 #include "tasks/judging/condition_words.h"
@@ -16,8 +17,9 @@
 using namespace cradle;
 
 /// What is told of many programs, whatever checks they fail: those of tests/approved, the solutions
-/// with a token changed (mutantsOf()), and solutions that are so only at times. What has been told
-/// in other numbers in the same step is written down by its hash.
+/// with a token changed (mutantsOf()), solutions that are so only at times, and solutions with a
+/// slip after every step. What has been told in other numbers in the same step is written down by
+/// its hash, of slips only the headlines and the hash.
 class TestApprovedTold : public QObject
 {
     Q_OBJECT
@@ -118,6 +120,16 @@ QString hashOf(const QString &text)
         QCryptographicHash::hash(text.toUtf8(), QCryptographicHash::Sha256).toHex().left(12));
 }
 
+QStringList headlinesOf(const QString &text)
+{
+    static const QRegularExpression headline(QStringLiteral("^\\S.*\\n(  .*\\n)"),
+                                             QRegularExpression::MultilineOption);
+    QStringList all;
+    for (auto found = headline.globalMatch(text); found.hasNext();)
+        all.append(found.next().captured(1));
+    return all;
+}
+
 } // namespace
 
 void TestApprovedTold::deviationsAreAsApproved()
@@ -135,6 +147,12 @@ void TestApprovedTold::deviationsAreAsApproved()
             first.try_emplace(QString(text).replace(numbers, QStringLiteral("0")), program.name);
         all += QStringLiteral("== ") + program.name + QLatin1Char('\n');
         all += isNew ? text : QStringLiteral("as %1, %2\n").arg(as->second, hashOf(text));
+    }
+    for (const char *slip : approved::slips) {
+        const QString program = approved::withSlip(task.solution, slip);
+        const QString text = told(MeasuredLaws(&program, ground), right, ground);
+        all += QStringLiteral("== %1, %2\n").arg(QLatin1String(slip), hashOf(text))
+               + headlinesOf(text).join(QString());
     }
     const QString difference = approved::compare(QStringLiteral("told/%1.txt").arg(task.id), all);
     QVERIFY2(difference.isEmpty(), qPrintable(difference));
