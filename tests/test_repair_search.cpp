@@ -25,6 +25,7 @@ private slots:
     void twinsAreTakenAfterOneLineAlone();
     void whatPassesTheChecksIsNotMeasured();
     void whatDoesNotRunIsNotChanged();
+    void searchEndsWithItsWork();
 };
 
 namespace {
@@ -231,6 +232,25 @@ void TestRepairSearch::whatDoesNotRunIsNotChanged()
     search.lines = {5};
     QVERIFY(!search.run([](std::size_t) { return Mending::All; }));
     QVERIFY(search.measured.empty());
+}
+
+void TestRepairSearch::searchEndsWithItsWork()
+{
+    Search search{.program = turned, .lines = {2, 3, 4}};
+    const auto works = [](std::size_t) {
+        WorkLimit::count(2'000'000);
+        return Mending::None;
+    };
+    QVERIFY(!search.run(works));
+    const std::size_t all = search.measured.size();
+    QVERIFY(all >= 2);
+    {
+        const WorkLimit limit(1'000'000);
+        QVERIFY(!search.run(works));
+        QCOMPARE(search.measured.size(), 1u);
+    }
+    QVERIFY(!search.run(works));
+    QCOMPARE(search.measured.size(), all);
 }
 
 QTEST_APPLESS_MAIN(TestRepairSearch)

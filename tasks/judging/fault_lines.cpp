@@ -8,6 +8,7 @@
 #include "tasks/judging/mending.h"
 #include "tasks/judging/push_origin.h"
 #include "tasks/judging/value_origin.h"
+#include "tasks/script/work_limit.h"
 
 #include <algorithm>
 
@@ -17,6 +18,10 @@ namespace {
 
 /// Findings whose line is proven; those behind wait until the first are mended.
 constexpr std::size_t mostProven = 2;
+
+/// Of all programs that are tried for one submission: half a second on a machine of 2020. One that
+/// goes round a loop many times a step would take several, and is told without a proof instead.
+constexpr qint64 mostWorkOfProofs = 30'000'000;
 
 /// Steps before a fault that shows at times: hundreds of programs come to it.
 constexpr qint64 mostStepsOfCondition = 600;
@@ -38,6 +43,7 @@ FaultLines::FaultLines(const Task &task, const Submission &submission,
     , m_right(right)
     , m_ground(ground)
     , m_proves(proves)
+    , m_workLeft(mostWorkOfProofs)
 {
 }
 
@@ -88,7 +94,7 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
 {
     const Moment &moment = deviation.moment;
     if (!m_proves || m_deviations.isOfChecks() || moment.circles.empty()
-        || before.size() >= mostProven
+        || before.size() >= mostProven || m_workLeft <= 0
         || (deviation.isConditional && moment.step > mostStepsOfCondition))
         return 0;
     const Aspect aspect = aspectOf(deviation);
@@ -96,9 +102,11 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
     std::unique_ptr<const Mended> tried; // what is said of later findings asks its laws again
     const auto mending = [&](const QString &program) {
         tried = std::make_unique<Mended>(program, m_ground);
-        return seesAsMuch(tried->laws, aspect, before)
-                   ? mendingOf(deviation, all, m_deviations.besides(tried->laws, aspect))
-                   : Mending::None;
+        const Mending done =
+            seesAsMuch(tried->laws, aspect, before)
+                ? mendingOf(deviation, all, m_deviations.besides(tried->laws, aspect))
+                : Mending::None;
+        return WorkLimit::isPassed() ? Mending::None : done;
     };
     // A second fault is looked for where the first is mended: there it stands alone.
     const QString &own = *m_submission.script;
@@ -112,8 +120,10 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
     const auto measured = [&](const QString &changed) {
         return deviation.isConditional ? Mending::None : mending(changed);
     };
+    const WorkLimit limit(m_workLeft);
     const auto repair = repairOf(
         {program, m_task.solution, moment, ran, deviation.suspect, last, aspect, passes, measured});
+    m_workLeft = WorkLimit::left();
     if (!repair)
         return 0;
     if (!tried || tried->program != repair->source)

@@ -53,6 +53,7 @@ private:
     const MeasuredLaws &m_right;
     const Ground &m_ground;
     bool m_proves;
+    qint64 m_workLeft; ///< of proofs, in instructions
     std::vector<std::unique_ptr<const Mended>> m_mended{};
 };
 

@@ -8,6 +8,7 @@
 #include "tasks/judging/program_statements.h"
 #include "tasks/judging/repair_order.h"
 #include "tasks/judging/value_repairs.h"
+#include "tasks/script/work_limit.h"
 
 #include <QRegularExpression>
 #include <QStringList>
@@ -20,15 +21,7 @@ namespace cradle {
 
 namespace {
 
-/// Changed programs that pass the look and are measured: more of those that pass twice.
-constexpr int mostMeasured = 7;
 constexpr std::size_t mostDoubtful = 3;
-constexpr int mostOfALine = 3;
-/// Those that are put to the checks, which is sooner done.
-constexpr int mostJudged = 60;
-/// Changes that are looked at once one has taken all of the fault away and left another: one that
-/// leaves nothing is among the next, or there is none.
-constexpr int mostAfterMended = 200;
 
 /// Changed programs that are looked at, of values and of words: what is asked, and masses, lie
 /// behind many lines.
@@ -158,6 +151,53 @@ private:
     std::optional<Repair> m_part{};
 };
 
+/// What a search has tried so far, and whether that is enough.
+class Trials
+{
+public:
+    /// Whether all that is tried any more is known, asked before each change.
+    [[nodiscard]] bool areEnough()
+    {
+        m_afterMended += m_isMended ? 1 : 0;
+        return WorkLimit::isPassed() || m_afterMended > mostAfterMended
+               || (m_judged >= mostJudged && (m_isMended || m_measured >= mostMeasured));
+    }
+    /// Whether one more may be put to the checks; it is counted then.
+    [[nodiscard]] bool judgesOneMore()
+    {
+        const bool judges = m_judged < mostJudged;
+        m_judged += judges ? 1 : 0;
+        return judges;
+    }
+    /// Whether one more change of a line may be measured; it is counted then.
+    [[nodiscard]] bool measuresOneMore(int line)
+    {
+        const bool measures =
+            !m_isMended && m_measured < mostMeasured && ++m_ofLine[line] <= mostOfALine;
+        m_measured += measures ? 1 : 0;
+        return measures;
+    }
+    /// \param isMended  whether the change that was measured last took all of the fault away
+    void note(bool isMended) { m_isMended = isMended; }
+    [[nodiscard]] bool isMended() const { return m_isMended; }
+
+private:
+    /// Changed programs that pass the look and are measured: more of those that pass twice.
+    static constexpr int mostMeasured = 7;
+    static constexpr int mostOfALine = 3;
+    /// Those that are put to the checks, which is sooner done.
+    static constexpr int mostJudged = 60;
+    /// Changes that are looked at once one has taken all of the fault away and left another: one
+    /// that leaves nothing is among the next, or there is none.
+    static constexpr int mostAfterMended = 200;
+
+    int m_judged = 0;
+    int m_measured = 0;
+    int m_afterMended = 0;
+    bool m_isMended = false;
+    std::map<int, int> m_ofLine{};
+};
+
 /// What is tried, in the lines first that a teacher would look at first. What lacks something is
 /// completed; then a value that is asked for is taken whole before the words of the question are
 /// changed, but a mass after its own words were.
@@ -201,6 +241,7 @@ std::vector<Repair> changesOf(const FaultQuery &query)
 
 std::optional<Repair> repairOf(const FaultQuery &query)
 {
+    Trials trials;
     FaultLook look(query.program, query.reference, query.moment, query.aspect != Aspect::Motion,
                    isOfQuestion(query.suspect));
     // What shows nothing proves nothing.
@@ -209,15 +250,8 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     Proof proof(query);
     std::vector<Repair> doubtful;
     std::optional<Repair> twins;
-    std::map<int, int> tries;
-    int judged = 0;
-    int measured = 0;
-    bool isMended = false;
-    int afterMended = 0;
     for (const Repair &repair : changesOf(query)) {
-        // All that is tried any more is known.
-        if ((judged >= mostJudged && (isMended || measured >= mostMeasured))
-            || (isMended && ++afterMended > mostAfterMended))
+        if (trials.areEnough())
             break;
         const Sight sight = look.of(repair.source);
         if (sight == Sight::Once && !isOfQuestion(query.suspect) && doubtful.size() < mostDoubtful)
@@ -225,23 +259,20 @@ std::optional<Repair> repairOf(const FaultQuery &query)
         if (sight != Sight::Twice)
             continue;
         // Where nothing else is wrong, that is all.
-        if (query.passes && judged < mostJudged && !(twins && !repair.alone)) {
-            ++judged;
-            if (query.passes(repair.source)) {
-                if (repair.alone)
-                    return repair;
-                twins = repair;
-            }
+        if (query.passes && !(twins && !repair.alone) && trials.judgesOneMore()
+            && query.passes(repair.source)) {
+            if (repair.alone)
+                return repair;
+            twins = repair;
         }
-        if (!isMended && measured < mostMeasured && ++tries[repair.line] <= mostOfALine) {
-            ++measured;
-            isMended = proof.take(repair);
-        }
+        if (trials.measuresOneMore(repair.line))
+            trials.note(proof.take(repair));
     }
     if (twins)
         return twins;
-    for (auto repair = doubtful.begin(); !isMended && repair != doubtful.end(); ++repair)
-        isMended = proof.take(*repair);
+    for (auto repair = doubtful.begin();
+         !trials.isMended() && !WorkLimit::isPassed() && repair != doubtful.end(); ++repair)
+        trials.note(proof.take(*repair));
     return proof.best();
 }
 

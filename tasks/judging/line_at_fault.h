@@ -30,7 +30,7 @@ struct FaultQuery {
 
 /// One small change that mends the program, proven by making it: all of the fault, or what of it
 /// shows at the moment, where one line for each wall or circle is wrong; nothing if there is none
-/// among some hundred. Its line is the line at fault.
+/// among some hundred, or the WorkLimit is passed. Its line is the line at fault.
 [[nodiscard]] std::optional<Repair> repairOf(const FaultQuery &query);
 
 } // namespace cradle

@@ -4,6 +4,7 @@
 
 #include "model/run/runner.h"
 #include "tasks/script/student_script.h"
+#include "tasks/script/work_limit.h"
 
 #include <functional>
 
@@ -37,10 +38,14 @@ public:
     }
     /// Goes on from \p world, which has as many circles.
     void place(const World &world) { m_run.place(world); }
-    /// Makes one step. \return false if the program stopped with an error
-    bool step() { return m_run.step(); }
+    /// Makes one step. \return false if the program stopped with an error, or the WorkLimit is
+    /// passed
+    bool step() { return !WorkLimit::isPassed() && m_run.step(); }
     /// The same with another timestep, s.
-    bool step(double dt) { return m_run.advance(dt) == Runner::Progress::Done; }
+    bool step(double dt)
+    {
+        return !WorkLimit::isPassed() && m_run.advance(dt) == Runner::Progress::Done;
+    }
     /// What its program has worked so far, in instructions; 0 for laws.
     [[nodiscard]] qint64 instructions() const;
     /// What the next step assigns to the circles, in order; the step is made.

@@ -9,6 +9,7 @@
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/wall_words.h"
 #include "tasks/runs/submission_runs.h"
+#include "tasks/script/work_limit.h"
 
 #include <algorithm>
 
@@ -132,9 +133,8 @@ bool StepDeviations::passes(const QString &program) const
     const Submission changed(m_submission.preset, program);
     SubmissionRuns runs(changed);
     const auto isRight = [&](const CheckSpec &check, const Variant &variant) {
-        const Observation &run = runs.of(
-            variant, [] { return false; }, mostInstructions);
-        return !run.error && !judge(check, run);
+        const Observation &run = runs.of(variant, &WorkLimit::isPassed, mostInstructions);
+        return !WorkLimit::isPassed() && !run.error && !judge(check, run);
     };
     std::vector<CheckPlan> plans;
     for (const CheckOutcome &outcome : m_checks) {

@@ -31,7 +31,8 @@ public:
     [[nodiscard]] std::vector<LawDeviation> of(const MeasuredLaws &laws, Aspect aspect) const;
     /// The same, and what is said of that beside it which a change may spoil.
     [[nodiscard]] std::vector<LawDeviation> besides(const MeasuredLaws &laws, Aspect aspect) const;
-    /// Whether another program passes all checks that failed but those of the start.
+    /// Whether another program passes all checks that failed but those of the start, within the
+    /// WorkLimit.
     [[nodiscard]] bool passes(const QString &program) const;
 
 private:

@@ -11,6 +11,7 @@
 #include "tasks/script/student_engine.h"
 #include "tasks/script/vector_binding.h"
 #include "tasks/script/work_bound.h"
+#include "tasks/script/work_limit.h"
 #include "tasks/script/world_binding.h"
 
 #include <QCoreApplication>
@@ -59,6 +60,7 @@ std::optional<ProgramError> StudentScript::begin(Preset &scene)
     if (auto error = tooLong(m_source))
         return error;
     m_engine = std::make_unique<Engine>();
+    WorkLimit::count(WorkLimit::ofBegin);
     ScriptHost &host = m_engine->host;
     host.source = m_source;
     host.pinned = m_options.pinned;
@@ -131,6 +133,8 @@ std::optional<ProgramError> StudentScript::call(int arguments)
     m_engine->host.caught = {};
     const int status = lua_pcall(L, arguments, 0, 1);
     endCount(L);
+    const ScriptHost &host = m_engine->host;
+    WorkLimit::count(host.counts ? host.instructions : WorkLimit::ofUncountedCall);
     if (status != LUA_OK)
         return errorOf(L, status);
     return std::nullopt;
