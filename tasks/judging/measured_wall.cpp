@@ -55,7 +55,7 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
                 lent.push_back(*found);
         }
         for (const Wall wall : {Wall::Right, Wall::Bottom, Wall::Left, Wall::Top})
-            slow.push_back(range.creep(circle, wall, all.size() > 1 ? middleOf(all) : all.back()));
+            slow.push_back(range.creep(circle, wall, middleOf(all)));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
             corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
         const bool turnsAtOnce = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {

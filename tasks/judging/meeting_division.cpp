@@ -358,13 +358,9 @@ std::optional<MeetingDivision> divisionBy(const std::vector<JudgedMeeting> &meet
                                       {Kind::Size, sizes()}}) {
         for (const Sign &sign : signs) {
             const auto other = bySign(kind, sign, all);
-            if (!other)
-                continue;
             // Where densities are alike, the larger one is the heavier one.
-            const bool isSame = found
-                                && (other->phrase == found->phrase
-                                    || (kind == Kind::Size && found->kind == Kind::Size));
-            if (found && !isSame)
+            if (found && other && other->phrase != found->phrase
+                && !(kind == Kind::Size && found->kind == Kind::Size))
                 return std::nullopt;
             if (!found)
                 found = other;

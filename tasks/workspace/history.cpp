@@ -104,9 +104,9 @@ GitSignature History::Parts::signature(const QString &author) const
 GitCommit History::Parts::commitAt(const char *reference) const
 {
     git_oid id;
-    if (git_reference_name_to_id(&id, repository.get(), reference) != 0)
-        return nullptr;
-    return makeGit<GitCommit>(git_commit_lookup, repository.get(), &id);
+    return git_reference_name_to_id(&id, repository.get(), reference) == 0
+               ? makeGit<GitCommit>(git_commit_lookup, repository.get(), &id)
+               : nullptr;
 }
 
 std::optional<QByteArray> History::Parts::textIn(const git_commit *commit,
