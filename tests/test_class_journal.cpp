@@ -3,6 +3,9 @@
 #include "tasks/grading/class_journal.h"
 #include "tasks/grading/class_merge.h"
 
+#include "model/files/json_schema.h"
+
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,6 +20,7 @@ private slots:
     void manifestIsReadBack();
     void whatIsNoManifestIsRefused_data();
     void whatIsNoManifestIsRefused();
+    void whatCannotBeReadIsRefused();
     void journalTellsWhatIsDone();
     void folderHasOneWriter();
     void shardsMakeAClass();
@@ -134,6 +138,16 @@ void TestClassJournal::whatIsNoManifestIsRefused()
 }
 
 /// Also that of a process that was killed in the middle of a line.
+void TestClassJournal::whatCannotBeReadIsRefused()
+{
+    const QString at = folder(QString());
+    const QString manifest = at + QStringLiteral("/manifest.json");
+    QVERIFY(QDir().mkpath(manifest));
+    const auto read = readManifest(at);
+    QVERIFY(!read.ok());
+    QCOMPARE(read.error().toString(), readFile(manifest, 1000).error().toString());
+}
+
 void TestClassJournal::journalTellsWhatIsDone()
 {
     const QString at = folder({});

@@ -146,6 +146,16 @@ void addFreeMotion()
            "At step 2 circle 2 turned round although its rim was still 0.2 m from the right wall; "
            "it should touch first",
            2, 1.0, -0.4, "m/s");
+    // The faster it is, the more of its way along the wall may be rounding.
+    addRow("turned before the wall, fast", check("integrates", {1}),
+           drift(beside({.position = {3.2, 0}, .velocity = {2.5, 0}}),
+                 change(2, 1,
+                        [](Circle &c) {
+                            c.velocity = {-2.5, 1e-6};
+                        })),
+           "At step 2 circle 2 turned round although its rim was still 0.35 m from the right wall; "
+           "it should touch first",
+           2, 2.5, -2.5, "m/s");
     addRow("turned far from walls", check("integrates", {1}),
            drift(beside({.position = {2.5, 0}, .velocity = {1, 0}}),
                  change(2, 1, [](Circle &c) { c.velocity.x = -1.0; })),

@@ -88,7 +88,7 @@ void TestNarrowWalls::hitsAreJudgedBetweenThem()
                                            "p.velocity = vec(0, 0)")};
     for (const int structure : {0, 3})
         QCOMPARE(headlines(pieces, structures[structure]),
-                 (QStringList{early, QStringLiteral("A hit stops circle 1 alone")}));
+                 (QStringList{early, QStringLiteral("A hit stops circle 1 and not circle 2")}));
 }
 
 void TestNarrowWalls::freeRoomEndsWhereTheyTurn()

@@ -19,6 +19,7 @@ private slots:
     void firstHitOfCirclesTellsMost();
     void energyIsAPartOfTheFirst();
     void noEnergyHasNoCurve();
+    void infiniteEnergyHasNoCurve();
     void curvesOfARunAreItsSums();
     void momentHasTheWaysUpToIt();
     void crowdsAreDrawnInPart();
@@ -104,6 +105,14 @@ void TestRunPictures::noEnergyHasNoCurve()
 }
 
 /// Kinetic and potential make the sum; momenta are those of the circles.
+void TestRunPictures::infiniteEnergyHasNoCurve()
+{
+    Preset preset = scene({{.velocity = {1e200, 0.0}}}, {});
+    preset.laws = {WallLaw::None, CircleLaw::None, Timing::Discrete};
+    const QByteArray drawn = energySvg(observe({QString(), preset, 0.1}));
+    QVERIFY2(!drawn.contains("nan") && !drawn.contains("inf"), drawn.constData());
+}
+
 void TestRunPictures::curvesOfARunAreItsSums()
 {
     const Observation o = run({{.position = {0.0, 3.0}, .velocity = {1.0, 0.0}}}, down, 0.5);

@@ -160,7 +160,7 @@ QByteArray GitObjects::unpacked(const char *data, qsizetype size, qsizetype most
     const auto got = made.size() - static_cast<qsizetype>(stream.avail_out);
     inflateEnd(&stream);
     m_left -= got;
-    if (end != Z_STREAM_END || got > std::min(most, mostObject) || m_left < 0)
+    if (end != Z_STREAM_END || stream.avail_out == 0 || m_left < 0)
         return {};
     made.truncate(got);
     return made;
