@@ -42,6 +42,34 @@ inline Observation drift(const std::vector<Circle> &circles, const std::vector<C
     return o;
 }
 
+inline constexpr Vec2 unitGravity{0, -1}; ///< m/s²
+inline const QString tolerance = QStringLiteral("tolerance");
+
+/// One at rest in the middle, and \p second.
+inline std::vector<Circle> beside(const Circle &second)
+{
+    return {{}, second};
+}
+
+/// A change of circle \p i at \p step.
+inline std::vector<Change> change(int step, std::size_t i,
+                                  const std::function<void(Circle &)> &make)
+{
+    return {{step, [i, make](Circles &c) { make(c[i]); }}};
+}
+
+/// The second is held where it is, and has these velocities one after the other.
+inline std::vector<Change> held(const std::vector<Vec2> &velocities, Vec2 place)
+{
+    std::vector<Change> changes;
+    for (std::size_t k = 0; k < velocities.size(); ++k)
+        changes.push_back({static_cast<int>(k) + 1, [v = velocities[k], place](Circles &c) {
+                               c[1].position = place;
+                               c[1].velocity = v;
+                           }});
+    return changes;
+}
+
 struct Said {
     QString message{};
     std::optional<double> expected{};

@@ -253,8 +253,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
     row("L42T3", "gravity of the Moon",
         "The velocity of circle 1 gets 0.167 times what gravity gives",
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (h / 6)"); });
-    row("L42T3", "heavy ones fall faster",
-        "Gravity does not act alike on light and heavy ones (circle 1)",
+    row("L42T3", "heavy ones fall faster", "The fall of circle 1 depends on radius or density",
         [](OtherForm &f) { edit(f.integrate, "gravity * h", "gravity * (c.density / 7.8) * h"); });
     row("L42T3", "air", "Something slows circle 1 down on the way",
         [](OtherForm &f) { f.integrate += lab(" c.velocity = 0.99 * c.velocity"); });

@@ -142,7 +142,7 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "spring", way, "(gravity - 2 * c.position) * h",
         text("The acceleration of both circles depends on the place"));
     row("L42T4", "heavy ones fall faster", way, "gravity * h * c.density / 7.8",
-        text("Gravity does not act alike on light and heavy ones (both circles)"));
+        text("The fall of both circles depends on radius or density"));
     row("L42T4", "a way beside its own", "c.velocity * h + vec(0.001, 0)", fall,
         text("Every step moves both circles by a fixed way besides v Δt"));
     row("L42T4", "carried by the wind", "(c.velocity + vec(1, 0)) * h", fall,
@@ -274,8 +274,7 @@ void TestFlightLaw::weightIsNamedThoughItEndsAtAWall()
     for (const Structure &structure : structures)
         QCOMPARE(
             step.flight(written({.start = start, .move = move, .walls = walls}, structure)),
-            QStringList(QStringLiteral("Gravity does not act alike on light and heavy ones (both "
-                                       "circles)")));
+            QStringList(QStringLiteral("The fall of both circles depends on radius or density")));
 }
 
 void TestFlightLaw::fallByTheMassOfAnotherIsNoCopy()
@@ -288,8 +287,7 @@ void TestFlightLaw::fallByTheMassOfAnotherIsNoCopy()
                                "c.position = c.position + c.velocity * h")};
     for (const Structure &structure : structures)
         QCOMPARE(step.flight(written(program, structure)),
-                 QStringList(QStringLiteral("Gravity does not act alike on light and heavy ones "
-                                            "(circle 2)")));
+                 QStringList(QStringLiteral("The fall of circle 2 depends on radius or density")));
 }
 
 /// A wrong time of impact: whoever comes nearer is stopped, however far away.

@@ -17,6 +17,9 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void wayOfAStepIsTold_data();
     void wayOfAStepIsTold();
+    void fallIsNoPartOfTheWay_data();
+    void fallIsNoPartOfTheWay();
+    void whoMovesInTheOwnSceneAloneIsTold();
     void crossedWayIsTold_data();
     void crossedWayIsTold();
     void wrongWayBesideAMethodIsTold();
@@ -66,6 +69,53 @@ void TestToldMotion::wayOfAStepIsTold()
     QVERIFY(isNear(Vec2{n[3], n[4]}, times * Vec2{factors.x * n[0], factors.y * n[1]}));
     QVERIFY(isNear(Vec2{n[5], n[6]}, h * Vec2{n[0], n[1]}));
     QVERIFY(!isNear(Vec2{n[3], n[4]}, Vec2{n[5], n[6]}));
+}
+
+void TestToldMotion::fallIsNoPartOfTheWay_data()
+{
+    QTest::addColumn<double>("share"); // of g h² in the way of a step, beside twice v h
+    QTest::newRow("all of it twice") << 1.0;
+    QTest::newRow("the velocity alone") << 0.5;
+}
+
+/// What gravity adds to v Δt is either as wrong as that, or said.
+void TestToldMotion::fallIsNoPartOfTheWay()
+{
+    QFETCH(double, share);
+    const QString said =
+        body("L42X6",
+             QStringLiteral(
+                 "(c.index == 1 and c.velocity * h or 2 * c.velocity * h + %1 * gravity * h * h)")
+                 .arg(share),
+             fall, "Every step moves circle 2 twice as far");
+    const auto right = numbersIn(said, "With the velocity (#, #) m/s and Δt = 1/# s the way of a "
+                                       "step is (#, #) m; (#, #) m is right.");
+    const auto apart = numbersIn(said, "With the velocity (#, #) m/s and Δt = 1/# s the way of a "
+                                       "step is (#, #) m, of which (#, #) m are not of the "
+                                       "velocity; v Δt is (#, #) m.");
+    const bool isAll = share == 1.0;
+    const auto &n = isAll ? right : apart;
+    QVERIFY2(n.size() == std::size_t(isAll ? 7 : 9), qPrintable(said));
+    const double h = 1.0 / n[2];
+    const Vec2 v{n[0], n[1]};
+    const Vec2 pull = 9.81 * h * h * Vec2{0, -1};
+    QVERIFY(isNear(Vec2{n[3], n[4]}, 2.0 * h * v + share * pull));
+    QVERIFY(isNear(Vec2{n[5], n[6]}, isAll ? h * v + 0.5 * pull : share * pull));
+    if (!isAll)
+        QVERIFY(isNear(Vec2{n[7], n[8]}, h * v));
+}
+
+void TestToldMotion::whoMovesInTheOwnSceneAloneIsTold()
+{
+    const LawProgram program{
+        .start = QStringLiteral("circle1.velocity = vec(2, 0)"),
+        .move = QStringLiteral("if step == 0 then mine = c.velocity == vec(2, 0) end if mine "
+                               "then c.position = c.position + c.velocity * h end")};
+    const auto n = numbersIn(bodyOfProgram("L42T2", written(program, structures[0]),
+                                           "Only in your own scene a step moves circle 1"),
+                             "In the first step of your own scene it goes (#, #) m");
+    QCOMPARE(n.size(), std::size_t{2});
+    QVERIFY(isNear(n[0], 2.0 / 60.0));
 }
 
 void TestToldMotion::crossedWayIsTold_data()

@@ -136,7 +136,7 @@ void TestWallLaw::faultIsNamed_data()
     rows("1 - e", "c.radius", "1 - restitution", "1",
          {text("At the walls 1 − e stands where e belongs, for both circles")});
     rows("2 e - 1", "c.radius", "2 * restitution - 1", "1",
-         {text("Hits at the walls do not give both circles e times the speed back")});
+         {text("Hits at the walls give both circles another share of the speed than e")});
     rows("elastic", "c.radius", "1", "1",
          {text("Hits at the walls give both circles all of the speed back")});
     rows("a number", "c.radius", "0.75", "1",

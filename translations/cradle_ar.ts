@@ -1105,10 +1105,6 @@
         <translation>عند الخطوة ⁨%1⁩ كانت الدائرتان قد تداخلتا، ولم تأتِ الاستجابة إلا في الخطوة ⁨%2⁩ التي تبدأ والمسافة بين مركزيهما ⁦%3 m⁩؛ وينبغي أن تستجيبا حالما تصير المسافة ⁦r₁ + r₂⁩</translation>
     </message>
     <message>
-        <source>. For %1 s it could reach a wall within a step, and for %2 s another circle: look at what it does there</source>
-        <translation>. كان يمكنها أن تبلغ جدارًا خلال خطوة مدة ⁦%1 s⁩، ودائرةً أخرى مدة ⁦%2 s⁩: انظر ماذا تفعل هناك</translation>
-    </message>
-    <message>
         <source>Nothing in your program moves the circles: write on_update</source>
         <translation>لا شيء في برنامجك يحرّك الدائرتين: اكتب ⁦on_update⁩</translation>
     </message>
@@ -1139,6 +1135,34 @@
     <message>
         <source>In %2 s circle %1 never came to the floor as fast as a fall makes it; that must be seen to judge how it comes to rest</source>
         <translation>خلال ⁦%2 s⁩ لم تصل الدائرة ⁨%1⁩ إلى الأرضية قط بسرعة يصنعها السقوط؛ يجب أن يُرى ذلك للحكم على وصولها إلى السكون</translation>
+    </message>
+    <message>
+        <source>. Nothing moved</source>
+        <translation>. لم يتحرك شيء</translation>
+    </message>
+    <message>
+        <source>. From %1 s on nothing moved</source>
+        <translation>. ابتداءً من ⁦%1 s⁩ لم يتحرك شيء</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at a wall or beyond it, for %2 s at another circle: look at what it does there</source>
+        <translation>. كانت ⁦%1 s⁩ عند جدار أو وراءه، و⁦%2 s⁩ عند دائرة أخرى: انظر ما تفعله هناك</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at a wall or beyond it: look at what it does there</source>
+        <translation>. كانت ⁦%1 s⁩ عند جدار أو وراءه: انظر ما تفعله هناك</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at another circle: look at what it does there</source>
+        <translation>. كانت ⁦%1 s⁩ عند دائرة أخرى: انظر ما تفعله هناك</translation>
+    </message>
+    <message>
+        <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>في الخطوة ⁨%1⁩ التي بدأت وليس في متناول خطوة شيء انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات بعد إصلاح ذلك</translation>
+    </message>
+    <message>
+        <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>
+        <translation>خلال ⁦%2 s⁩ لم تصل الدائرة ⁨%1⁩ إلى الأرضية قط؛ يجب أن يُرى ذلك للحكم على وصولها إلى السكون</translation>
     </message>
 </context>
 <context>
@@ -2117,14 +2141,6 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>Under gravity %1 m/s² a circle at rest is %2 m away after a step of %3 s, and its velocity is still 0. Gravity is an acceleration: it changes the velocity, and that moves the circle.</source>
         <translation>تحت الجاذبية ⁦%1 m/s²⁩ تكون دائرة ساكنة على بعد ⁦%2 m⁩ بعد خطوة مدتها ⁦%3 s⁩، وسرعتها لا تزال 0. الجاذبية تسارع: تغيّر السرعة، والسرعة تحرّك الدائرة.</translation>
-    </message>
-    <message>
-        <source>Gravity does not act alike on light and heavy ones (%who)</source>
-        <translation>لا تؤثر الجاذبية في الخفيف والثقيل بالتساوي (%who)</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
-        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون التسارع ⁦%2 m/s²⁩، ويصير ⁦%3 m/s²⁩ حين يُضرب نصف القطر في 1.25 والكثافة في 1.5. الجاذبية تسارع أصلًا: كل الأجسام تسقط سقوطًا واحدًا، مهما كان ثقلها.</translation>
     </message>
     <message>
         <source>Gravity acts on %who for a whole second in every step</source>
@@ -3249,10 +3265,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>Hits at the %walls give %who a speed of their own</source>
         <translation>التصادمات عند %walls تعطي %who سرعة من عندها</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls do not give %who e times the speed back</source>
-        <translation>التصادمات عند %walls لا تعيد إلى %who السرعة مضروبةً في e</translation>
     </message>
     <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
@@ -4383,18 +4395,6 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>كيفما كانت البداية تأتي السرعة بعد خطوة واحدة من سرعة الدائرة ⁨%1⁩: من ⁦%2 m/s⁩ في البداية إلى ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في السطر الذي يغيّرها.</translation>
     </message>
     <message>
-        <source>From every start tried it comes there, and stays.</source>
-        <translation>من كل بداية جُرّبت تصل الدائرة إلى هناك وتبقى.</translation>
-    </message>
-    <message>
-        <source>From every start tried it comes to that x, and keeps it.</source>
-        <translation>من كل بداية جُرّبت تصل الدائرة إلى قيمة x هذه وتبقى عليها.</translation>
-    </message>
-    <message>
-        <source>From every start tried it comes to that y, and keeps it.</source>
-        <translation>من كل بداية جُرّبت تصل الدائرة إلى قيمة y هذه وتبقى عليها.</translation>
-    </message>
-    <message>
         <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
         <translation>الخطوة *تضيف* مسافة إلى الموضع القديم: انظر إلى الأسطر التي تضعها هناك، وإلى ما يُسأل قبلها.</translation>
     </message>
@@ -4859,6 +4859,66 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Circle %3 is turned only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
         <translation>لا ترتدّ الدائرة ⁨%3⁩ إلا حين يتجاوز مركزها الجدار، والحافة خارجه بنصف قطر، ⁦%1 m⁩. الجدار يلاقي الجسم حيث ينتهي الجسم.</translation>
+    </message>
+    <message>
+        <source>The acceleration is %1 m/s², under gravity %2 and under %3 m/s² alike.</source>
+        <translation>التسارع ⁦%1 m/s²⁩، تحت الجاذبية ⁦%2⁩ وتحت ⁦%3 m/s²⁩ على السواء.</translation>
+    </message>
+    <message>
+        <source>The fall of %who depends on radius or density</source>
+        <translation>سقوط %who يتوقف على نصف القطر أو الكثافة</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² circle %4 is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
+        <translation>تحت الجاذبية ⁦%1 m/s²⁩ يكون تسارع الدائرة ⁨%4⁩ ⁦%2 m/s²⁩، ويصير ⁦%3 m/s²⁩ حين يُضرب نصف القطر في 1.25 والكثافة في 1.5. الجاذبية تسارع أصلًا: كل الأجسام تسقط سقوطًا واحدًا، مهما كان ثقلها.</translation>
+    </message>
+    <message>
+        <source>So it is from every start tried.</source>
+        <translation>هكذا هو من كل بداية جُرّبت.</translation>
+    </message>
+    <message>
+        <source>It has that x from every start tried.</source>
+        <translation>للدائرة قيمة x هذه من كل بداية جُرّبت.</translation>
+    </message>
+    <message>
+        <source>It has that y from every start tried.</source>
+        <translation>للدائرة قيمة y هذه من كل بداية جُرّبت.</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them without gravity, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
+        <translation>قُذفت بلا جاذبية نحو كل جدار فنفذت منه %who؛ عند ⁨%1⁩ بسرعة ⁦%2 m/s⁩. انظر هل يسأل برنامجك عن الجدران لأجل %who وهل يكون الجواب نعم أبدًا.</translation>
+    </message>
+    <message>
+        <source>Circle %1 turned when its centre was between %2 and %3 m from the wall, with the radius %4 m as with %5 m. Take the radius that the circle has.</source>
+        <translation>ارتدّت الدائرة ⁨%1⁩ حين كان مركزها على بعد بين ⁦%2⁩ و⁦%3 m⁩ من الجدار، بنصف القطر ⁦%4 m⁩ كما بنصف القطر ⁦%5 m⁩. خذ نصف القطر الذي للدائرة.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who another share of the speed than e</source>
+        <translation>التصادمات عند %walls تعيد إلى %who نصيبًا من السرعة غير e</translation>
+    </message>
+    <message>
+        <source>At the floor, none slower than %1 m/s was tried.</source>
+        <translation>عند الأرضية لم يُجرَّب ما هو أبطأ من ⁦%1 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m</source>
+        <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩</translation>
+    </message>
+    <message>
+        <source>; %1 m is right.</source>
+        <translation>؛ والصحيح ⁦%1 m⁩.</translation>
+    </message>
+    <message>
+        <source>, of which %1 m are not of the velocity; v Δt is %2 m.</source>
+        <translation>، منها ⁦%1 m⁩ ليست من السرعة؛ و⁦v&#xa0;Δt⁩ هو ⁦%2 m⁩.</translation>
+    </message>
+    <message>
+        <source>Only in your own scene a step moves %who</source>
+        <translation>لا تنقل الخطوة %who إلا في مشهدك</translation>
+    </message>
+    <message>
+        <source>In the first step of your own scene it goes %1 m, as its velocity there makes it. So it should from every start: look at what is asked before the line that moves it.</source>
+        <translation>في الخطوة الأولى من مشهدك تكون المسافة ⁦%1 m⁩ كما تقتضي السرعة هناك. هكذا يجب أن يكون من كل بداية: انظر ما يُسأل عنه قبل السطر الذي ينقل.</translation>
     </message>
 </context>
 <context>

@@ -1097,10 +1097,6 @@
         <translation>Bis Schritt %1 sind die Kreise ineinandergelaufen, und beantwortet wird das erst in Schritt %2, an dessen Anfang ihre Mittelpunkte %3 m auseinanderliegen; antworten sollten sie, sobald ihr Abstand r₁ + r₂ ist</translation>
     </message>
     <message>
-        <source>. For %1 s it could reach a wall within a step, and for %2 s another circle: look at what it does there</source>
-        <translation>. %1 s lang konnte er innerhalb eines Schritts eine Wand erreichen und %2 s lang einen anderen Kreis: Sieh dir an, was er dort tut</translation>
-    </message>
-    <message>
         <source>Nothing in your program moves the circles: write on_update</source>
         <translation>Nichts in deinem Programm bewegt die Kreise: Schreib on_update</translation>
     </message>
@@ -1131,6 +1127,34 @@
     <message>
         <source>In %2 s circle %1 never came to the floor as fast as a fall makes it; that must be seen to judge how it comes to rest</source>
         <translation>In %2 s kam Kreis %1 nie so schnell zum Boden, wie ein Fall ihn macht; das muss zu sehen sein, um zu beurteilen, wie er zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>. Nothing moved</source>
+        <translation>. Nichts bewegte sich</translation>
+    </message>
+    <message>
+        <source>. From %1 s on nothing moved</source>
+        <translation>. Ab %1 s bewegte sich nichts</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at a wall or beyond it, for %2 s at another circle: look at what it does there</source>
+        <translation>. %1 s lang war er an einer Wand oder jenseits von ihr, %2 s lang an einem anderen Kreis: Sieh dir an, was er dort tut</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at a wall or beyond it: look at what it does there</source>
+        <translation>. %1 s lang war er an einer Wand oder jenseits von ihr: Sieh dir an, was er dort tut</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at another circle: look at what it does there</source>
+        <translation>. %1 s lang war er an einem anderen Kreis: Sieh dir an, was er dort tut</translation>
+    </message>
+    <message>
+        <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>In Schritt %1, zu dessen Beginn im Weg eines Schritts nichts lag, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, sobald das behoben ist</translation>
+    </message>
+    <message>
+        <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>
+        <translation>In %2 s kam Kreis %1 nie zum Boden; das muss zu sehen sein, um zu beurteilen, wie er zur Ruhe kommt</translation>
     </message>
 </context>
 <context>
@@ -2623,14 +2647,6 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Kreise werden zurückgesetzt und behalten ihre Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>Gravity does not act alike on light and heavy ones (%who)</source>
-        <translation>Die Schwerkraft wirkt auf Leichte und Schwere nicht gleich (%who)</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
-        <translation>Unter der Schwerkraft %1 m/s² wird er mit %2 m/s² beschleunigt, und mit %3 m/s², wenn sein Radius das 1.25-Fache und seine Dichte das 1.5-Fache ist. Die Schwerkraft ist schon eine Beschleunigung: Alle Körper fallen gleich, wie schwer sie auch sind.</translation>
-    </message>
-    <message>
         <source>Every step puts %who where circle %1 is</source>
         <translation>Jeder Schritt setzt %who dorthin, wo Kreis %1 ist</translation>
     </message>
@@ -3225,10 +3241,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>Hits at the %walls give %who a speed of their own</source>
         <translation>Stöße an %walls geben für %who ein eigenes Tempo vor</translation>
-    </message>
-    <message>
-        <source>Hits at the %walls do not give %who e times the speed back</source>
-        <translation>An %walls kommt für %who nicht das e-Fache des Tempos zurück</translation>
     </message>
     <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
@@ -4331,18 +4343,6 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>Wie auch gestartet, kommt die Geschwindigkeit einen Schritt später von der von Kreis %1: Aus %2 m/s am Anfang werden %3 m/s. Jeder Kreis geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in der Zeile an, die sie ändert.</translation>
     </message>
     <message>
-        <source>From every start tried it comes there, and stays.</source>
-        <translation>Nach jedem versuchten Start kommt der Kreis dorthin und bleibt.</translation>
-    </message>
-    <message>
-        <source>From every start tried it comes to that x, and keeps it.</source>
-        <translation>Nach jedem versuchten Start kommt der Kreis zu diesem x und behält es.</translation>
-    </message>
-    <message>
-        <source>From every start tried it comes to that y, and keeps it.</source>
-        <translation>Nach jedem versuchten Start kommt der Kreis zu diesem y und behält es.</translation>
-    </message>
-    <message>
         <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
         <translation>Ein Schritt *addiert* einen Weg zum alten Ort: Sieh dir die Zeilen an, die den Kreis dorthin setzen, und was vor ihnen gefragt wird.</translation>
     </message>
@@ -4799,6 +4799,66 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Circle %3 is turned only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
         <translation>Kreis %3 kehrt erst um, wenn sein Mittelpunkt hinter der Wand ist, mit dem Rand einen Radius, %1 m, draußen. Eine Wand trifft einen Körper dort, wo der Körper endet.</translation>
+    </message>
+    <message>
+        <source>The acceleration is %1 m/s², under gravity %2 and under %3 m/s² alike.</source>
+        <translation>Die Beschleunigung ist %1 m/s², unter der Schwerkraft %2 wie unter %3 m/s².</translation>
+    </message>
+    <message>
+        <source>The fall of %who depends on radius or density</source>
+        <translation>Der Fall hängt für %who von Radius oder Dichte ab</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² circle %4 is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
+        <translation>Unter der Schwerkraft %1 m/s² wird Kreis %4 mit %2 m/s² beschleunigt, und mit %3 m/s², wenn sein Radius das 1.25-Fache und seine Dichte das 1.5-Fache ist. Die Schwerkraft ist schon eine Beschleunigung: Alle Körper fallen gleich, wie schwer sie auch sind.</translation>
+    </message>
+    <message>
+        <source>So it is from every start tried.</source>
+        <translation>So ist es nach jedem versuchten Start.</translation>
+    </message>
+    <message>
+        <source>It has that x from every start tried.</source>
+        <translation>Dieses x hat der Kreis nach jedem versuchten Start.</translation>
+    </message>
+    <message>
+        <source>It has that y from every start tried.</source>
+        <translation>Dieses y hat der Kreis nach jedem versuchten Start.</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them without gravity, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
+        <translation>Ohne Schwerkraft gegen jede geworfen, ging es hindurch (%who); an %1 mit %2 m/s. Sieh dir an, ob dein Programm dafür nach Wänden fragt (%who) und ob die Antwort je Ja ist.</translation>
+    </message>
+    <message>
+        <source>Circle %1 turned when its centre was between %2 and %3 m from the wall, with the radius %4 m as with %5 m. Take the radius that the circle has.</source>
+        <translation>Kreis %1 kehrte um, als sein Mittelpunkt zwischen %2 und %3 m von der Wand entfernt war, mit dem Radius %4 m wie mit %5 m. Nimm den Radius, den der Kreis hat.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who another share of the speed than e</source>
+        <translation>Stöße an %walls geben für %who einen anderen Anteil des Tempos zurück als e</translation>
+    </message>
+    <message>
+        <source>At the floor, none slower than %1 m/s was tried.</source>
+        <translation>Am Boden wurde keiner versucht, der langsamer als %1 m/s ist.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m</source>
+        <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s ist der Weg eines Schritts %3 m</translation>
+    </message>
+    <message>
+        <source>; %1 m is right.</source>
+        <translation>; richtig sind %1 m.</translation>
+    </message>
+    <message>
+        <source>, of which %1 m are not of the velocity; v Δt is %2 m.</source>
+        <translation>, davon kommen %1 m nicht von der Geschwindigkeit; v Δt ist %2 m.</translation>
+    </message>
+    <message>
+        <source>Only in your own scene a step moves %who</source>
+        <translation>Nur in deiner eigenen Szene bewegt ein Schritt etwas (%who)</translation>
+    </message>
+    <message>
+        <source>In the first step of your own scene it goes %1 m, as its velocity there makes it. So it should from every start: look at what is asked before the line that moves it.</source>
+        <translation>Im ersten Schritt deiner eigenen Szene geht es %1 m weit, wie es die Geschwindigkeit dort verlangt. So soll es nach jedem Start sein: Sieh dir an, was vor der Zeile gefragt wird, die bewegt.</translation>
     </message>
 </context>
 <context>

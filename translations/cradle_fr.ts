@@ -1097,10 +1097,6 @@
         <translation>Au pas %1, les cercles se sont déjà chevauchés, et la réponse ne vient qu&apos;au pas %2, au début duquel leurs centres sont à %3 m l&apos;un de l&apos;autre&#xa0;; ils devraient répondre dès que leur distance vaut r₁ + r₂</translation>
     </message>
     <message>
-        <source>. For %1 s it could reach a wall within a step, and for %2 s another circle: look at what it does there</source>
-        <translation>. Pendant %1 s, il pouvait atteindre une paroi en un pas, et pendant %2 s un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
-    </message>
-    <message>
         <source>Nothing in your program moves the circles: write on_update</source>
         <translation>Rien dans votre programme ne déplace les cercles&#xa0;: écrivez on_update</translation>
     </message>
@@ -1131,6 +1127,34 @@
     <message>
         <source>In %2 s circle %1 never came to the floor as fast as a fall makes it; that must be seen to judge how it comes to rest</source>
         <translation>En %2 s, le cercle %1 n&apos;est jamais arrivé au sol aussi vite qu&apos;une chute le rend&#xa0;; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
+    </message>
+    <message>
+        <source>. Nothing moved</source>
+        <translation>. Rien n&apos;a bougé</translation>
+    </message>
+    <message>
+        <source>. From %1 s on nothing moved</source>
+        <translation>. À partir de %1 s, rien n&apos;a bougé</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at a wall or beyond it, for %2 s at another circle: look at what it does there</source>
+        <translation>. Pendant %1 s, il était contre une paroi ou au-delà, pendant %2 s contre un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at a wall or beyond it: look at what it does there</source>
+        <translation>. Pendant %1 s, il était contre une paroi ou au-delà&#xa0;: regardez ce qu&apos;il y fait</translation>
+    </message>
+    <message>
+        <source>. For %1 s it was at another circle: look at what it does there</source>
+        <translation>. Pendant %1 s, il était contre un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
+    </message>
+    <message>
+        <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>Au pas %1, qui a commencé sans rien à portée d&apos;un pas, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés une fois cela corrigé</translation>
+    </message>
+    <message>
+        <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>
+        <translation>En %2 s, le cercle %1 n&apos;est jamais arrivé au sol&#xa0;; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
     </message>
 </context>
 <context>
@@ -2093,14 +2117,6 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>Under gravity %1 m/s² a circle at rest is %2 m away after a step of %3 s, and its velocity is still 0. Gravity is an acceleration: it changes the velocity, and that moves the circle.</source>
         <translation>Sous la pesanteur %1 m/s², un cercle au repos se retrouve à %2 m de là après un pas de %3 s, et sa vitesse est toujours 0. La pesanteur est une accélération&#xa0;: elle change la vitesse, et c&apos;est la vitesse qui change la position.</translation>
-    </message>
-    <message>
-        <source>Gravity does not act alike on light and heavy ones (%who)</source>
-        <translation>La pesanteur n&apos;agit pas de la même façon sur les cercles légers et sur les lourds (%who)</translation>
-    </message>
-    <message>
-        <source>Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
-        <translation>Sous la pesanteur %1 m/s², l&apos;accélération est de %2 m/s², et de %3 m/s² quand le rayon est 1.25 fois et la masse volumique 1.5 fois plus grande. La pesanteur est déjà une accélération&#xa0;: tous les corps tombent de la même façon, quelle que soit leur masse.</translation>
     </message>
     <message>
         <source>Gravity acts on %who for a whole second in every step</source>
@@ -3227,10 +3243,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Les chocs contre %walls imposent une vitesse fixe, pour %who</translation>
     </message>
     <message>
-        <source>Hits at the %walls do not give %who e times the speed back</source>
-        <translation>Les chocs contre %walls ne rendent pas e fois la vitesse, pour %who</translation>
-    </message>
-    <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
         <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois.</translation>
     </message>
@@ -4331,18 +4343,6 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Quel que soit le départ, la vitesse un pas plus tard vient de celle du cercle %1&#xa0;: de %2 m/s au départ, elle passe à %3 m/s. Chaque cercle part de sa propre vitesse&#xa0;: regardez les noms dans la ligne qui la change.</translation>
     </message>
     <message>
-        <source>From every start tried it comes there, and stays.</source>
-        <translation>Depuis chaque départ essayé, le cercle y arrive et y reste.</translation>
-    </message>
-    <message>
-        <source>From every start tried it comes to that x, and keeps it.</source>
-        <translation>Depuis chaque départ essayé, le cercle arrive à cet x et le garde.</translation>
-    </message>
-    <message>
-        <source>From every start tried it comes to that y, and keeps it.</source>
-        <translation>Depuis chaque départ essayé, le cercle arrive à cet y et le garde.</translation>
-    </message>
-    <message>
         <source>A step *adds* a way to the old position: look at the lines that put it there, and at what is asked before them.</source>
         <translation>Un pas *ajoute* un chemin à l&apos;ancienne position&#xa0;: regardez les lignes qui mettent le cercle là, et ce qui est demandé avant elles.</translation>
     </message>
@@ -4799,6 +4799,66 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Circle %3 is turned only when its centre is past the wall, with its rim one radius, %1 m, outside. A wall meets a body where the body ends.</source>
         <translation>Le cercle %3 ne fait demi-tour que lorsque son centre a passé la paroi, le bord étant dehors d&apos;un rayon, %1 m. Une paroi rencontre un corps là où le corps finit.</translation>
+    </message>
+    <message>
+        <source>The acceleration is %1 m/s², under gravity %2 and under %3 m/s² alike.</source>
+        <translation>L&apos;accélération est de %1 m/s², sous la pesanteur %2 comme sous %3 m/s².</translation>
+    </message>
+    <message>
+        <source>The fall of %who depends on radius or density</source>
+        <translation>La chute dépend du rayon ou de la masse volumique, pour %who</translation>
+    </message>
+    <message>
+        <source>Under gravity %1 m/s² circle %4 is accelerated by %2 m/s², and by %3 m/s² when its radius is 1.25 times and its density 1.5 times as large. Gravity is an acceleration already: all bodies fall alike, whatever they weigh.</source>
+        <translation>Sous la pesanteur %1 m/s², l&apos;accélération du cercle %4 est de %2 m/s², et de %3 m/s² quand le rayon est 1.25 fois et la masse volumique 1.5 fois plus grande. La pesanteur est déjà une accélération&#xa0;: tous les corps tombent de la même façon, quelle que soit leur masse.</translation>
+    </message>
+    <message>
+        <source>So it is from every start tried.</source>
+        <translation>Il en est ainsi depuis chaque départ essayé.</translation>
+    </message>
+    <message>
+        <source>It has that x from every start tried.</source>
+        <translation>Le cercle a cet x depuis chaque départ essayé.</translation>
+    </message>
+    <message>
+        <source>It has that y from every start tried.</source>
+        <translation>Le cercle a cet y depuis chaque départ essayé.</translation>
+    </message>
+    <message>
+        <source>Thrown at each of them without gravity, %who went on through it; at the %1 with %2 m/s. Look at whether your program asks about walls for %who, and whether the answer is ever yes.</source>
+        <translation>Lancé sans pesanteur contre chacune, on passe au travers (%who)&#xa0;; contre %1, à %2 m/s. Regardez si votre programme demande ce qu&apos;il en est des parois (%who), et si la réponse est parfois oui.</translation>
+    </message>
+    <message>
+        <source>Circle %1 turned when its centre was between %2 and %3 m from the wall, with the radius %4 m as with %5 m. Take the radius that the circle has.</source>
+        <translation>Le cercle %1 a fait demi-tour quand son centre était entre %2 et %3 m de la paroi, avec le rayon %4 m comme avec %5 m. Prenez le rayon que possède le cercle.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who another share of the speed than e</source>
+        <translation>Les chocs contre %walls rendent une autre part de la vitesse que e, pour %who</translation>
+    </message>
+    <message>
+        <source>At the floor, none slower than %1 m/s was tried.</source>
+        <translation>Au sol, aucun n&apos;a été essayé à moins de %1 m/s.</translation>
+    </message>
+    <message>
+        <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m</source>
+        <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m</translation>
+    </message>
+    <message>
+        <source>; %1 m is right.</source>
+        <translation>&#xa0;; la valeur juste est %1 m.</translation>
+    </message>
+    <message>
+        <source>, of which %1 m are not of the velocity; v Δt is %2 m.</source>
+        <translation>, dont %1 m ne viennent pas de la vitesse&#xa0;; v Δt vaut %2 m.</translation>
+    </message>
+    <message>
+        <source>Only in your own scene a step moves %who</source>
+        <translation>Un pas ne déplace que dans votre propre scène, pour %who</translation>
+    </message>
+    <message>
+        <source>In the first step of your own scene it goes %1 m, as its velocity there makes it. So it should from every start: look at what is asked before the line that moves it.</source>
+        <translation>Au premier pas de votre propre scène, le chemin est de %1 m, comme le veut la vitesse. Il doit en être ainsi depuis chaque départ&#xa0;: regardez ce qui est demandé avant la ligne qui déplace.</translation>
     </message>
 </context>
 <context>

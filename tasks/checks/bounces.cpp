@@ -22,6 +22,22 @@ struct WallHitText {
 /// next answer.
 constexpr int patience = 3;
 
+/// The first step from which on no circle goes anywhere.
+qint64 restingFrom(const Observation &o)
+{
+    qint64 from = o.steps();
+    const auto rest = [&] {
+        for (int i = 0; i < o.circleCount(); ++i) {
+            if (!(o.circle(i, from - 1).position == o.circle(i, from).position))
+                return false;
+        }
+        return true;
+    };
+    while (from > 0 && rest())
+        --from;
+    return from;
+}
+
 /// What was too little to judge walls by.
 /// \param apart  turns near another circle do not count
 Fault tooFewHits(const Observation &o, int seen, int wanted, bool apart)
@@ -31,11 +47,15 @@ Fault tooFewHits(const Observation &o, int seen, int wanted, bool apart)
             ? WallHitText::tr("Turns at walls, away from the other circle, in %1 s: %2; at least "
                               "%3 must be seen to judge them")
             : WallHitText::tr("Turns at walls in %1 s: %2; at least %3 must be seen to judge them");
-    return {.message = text.arg(motion::figure(o.states.time(o.steps())), QString::number(seen),
-                                QString::number(wanted)),
-            .expected = wanted,
-            .observed = seen,
-            .step = o.steps()};
+    QString said = text.arg(motion::figure(o.states.time(o.steps())), QString::number(seen),
+                            QString::number(wanted));
+    const qint64 rest = restingFrom(o);
+    if (rest == 0)
+        said += WallHitText::tr(". Nothing moved");
+    else if (rest < o.steps())
+        said += WallHitText::tr(". From %1 s on nothing moved")
+                    .arg(motion::figure(o.states.time(rest)));
+    return {.message = said, .expected = wanted, .observed = seen, .step = o.steps()};
 }
 
 /// That the rim of circle \p i is further beyond \p wall than \p allowed, m.

@@ -54,14 +54,25 @@ std::optional<Fault> tooLittleFlight(const CheckSpec &check, const Observation &
     if (seen > wanted - o.timestep())
         return std::nullopt;
     const Nearness near = nearnessOf(o, i, gravity);
+    const auto at = [](double seconds) { return motion::figure(seconds); };
+    const QString where =
+        near.wall > 0.0 && near.circle > 0.0
+            ? FlightText::tr(". For %1 s it was at a wall or beyond it, for %2 s at another "
+                             "circle: look at what it does there")
+                  .arg(at(near.wall), at(near.circle))
+        : near.wall > 0.0
+            ? FlightText::tr(". For %1 s it was at a wall or beyond it: look at what it does there")
+                  .arg(at(near.wall))
+        : near.circle > 0.0
+            ? FlightText::tr(". For %1 s it was at another circle: look at what it does there")
+                  .arg(at(near.circle))
+            : QString();
     return Fault{.message = FlightText::tr("Circle %1 was free of walls and other circles for "
                                            "%2 s only; at least %3 s must be seen to judge its "
                                            "motion")
                                 .arg(QString::number(i + 1), motion::figureBeside(seen, wanted),
                                      motion::figureBeside(wanted, seen))
-                            + FlightText::tr(". For %1 s it could reach a wall within a step, and "
-                                             "for %2 s another circle: look at what it does there")
-                                  .arg(motion::figure(near.wall), motion::figure(near.circle)),
+                            + where,
                  .expected = wanted,
                  .observed = seen,
                  .unit = QStringLiteral("s"),

@@ -146,10 +146,16 @@ Fault changedInOpen(const Observation &o, int i, qint64 k, Vec2 gravity)
     const Vec2 after = o.circle(i, k + 1).velocity;
     const Vec2 right = before + o.timestep() * gravity;
     const bool x = std::abs(after.x - right.x) > std::abs(after.y - right.y);
-    return {.message = MotionText::tr("At step %1, where it touches nothing, the velocity of "
-                                      "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
-                                      "judged once this is mended")
-                           .arg(QString::number(k + 1), QString::number(i + 1),
+    // Who is moved further than asked may have been at a wall, and turned there.
+    const bool isTurned = after.x * before.x < 0.0 || after.y * before.y < 0.0;
+    const QString text =
+        isTurned ? MotionText::tr("At step %1, which began with nothing within the way of a step, "
+                                  "the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is "
+                                  "right. Hits are judged once this is mended")
+                 : MotionText::tr("At step %1, where it touches nothing, the velocity of "
+                                  "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
+                                  "judged once this is mended");
+    return {.message = text.arg(QString::number(k + 1), QString::number(i + 1),
                                 figureBeside(before, after), figureBeside(after, right),
                                 figureBeside(right, after)),
             .expected = x ? right.x : right.y,

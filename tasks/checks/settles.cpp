@@ -35,6 +35,16 @@ bool hasFallen(const Observation &o, int i, Vec2 gravity)
     return false;
 }
 
+/// Whether circle \p i was ever within the way of a step from the floor.
+bool cameToFloor(const Observation &o, int i, Vec2 gravity)
+{
+    for (qint64 k = 0; k <= o.steps(); ++k) {
+        if (motion::wallGap(o, o.circle(i, k), Wall::Bottom) <= motion::travel(o, i, k, gravity))
+            return true;
+    }
+    return false;
+}
+
 /// How high above the floor the rim of circle \p i still comes at the end, m.
 double lastHeight(const Observation &o, int i)
 {
@@ -82,15 +92,17 @@ std::optional<Fault> settles(const CheckSpec &check, const Observation &o)
             allowed = std::max(allowed, referenceHeight(o, i, integrator));
         allowed =
             std::max({generosity * allowed, steadyHeight(o, gravity), motion::toleranceOf(check)});
-        if (!hasFallen(o, i, gravity))
-            return Fault{
-                .message = SettleText::tr("In %2 s circle %1 never came to the floor as fast as a "
-                                          "fall makes it; that must be seen to judge how it "
-                                          "comes to rest")
-                               .arg(i + 1)
-                               .arg(motion::figure(o.variant.duration)),
-                .step = o.steps(),
-                .circle = i};
+        if (!hasFallen(o, i, gravity)) {
+            const QString text =
+                cameToFloor(o, i, gravity)
+                    ? SettleText::tr("In %2 s circle %1 never came to the floor as fast as a fall "
+                                     "makes it; that must be seen to judge how it comes to rest")
+                    : SettleText::tr("In %2 s circle %1 never came to the floor; that must be seen "
+                                     "to judge how it comes to rest");
+            return Fault{.message = text.arg(i + 1).arg(motion::figure(o.variant.duration)),
+                         .step = o.steps(),
+                         .circle = i};
+        }
         const double observed = lastHeight(o, i);
         if (observed > allowed) {
             return Fault{.message =

@@ -125,7 +125,10 @@ private:
                 .arg(brief(g), brief(own(g)), brief(own(other)), brief(other));
         if (isAlike(own(g), own(other), wrong))
             return {FlightText::tr("A number stands for gravity in the motion of %who"),
-                    seen + QLatin1Char(' ')
+                    FlightText::tr("The acceleration is %1 m/s², under gravity %2 and under %3 "
+                                   "m/s² alike.")
+                            .arg(brief(own(g)), brief(g), brief(other))
+                        + QLatin1Char(' ')
                         + FlightText::tr("The name `gravity` holds the value of the scene; look "
                                          "where your program has one of its own."),
                     moment(false, g)};

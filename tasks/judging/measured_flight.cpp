@@ -25,6 +25,7 @@ MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
         const Vec2 first = between[i].velocity - before[i].velocity;
         const Vec2 second =
             goesOn ? probe.world().circles[i].velocity - between[i].velocity : Vec2{};
+        m_own.ways.push_back(between[i].position - before[i].position);
         m_own.accelerations.push_back(first / m_own.scene.timestep);
         m_own.later.push_back(second / m_own.scene.timestep);
     }

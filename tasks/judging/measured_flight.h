@@ -43,6 +43,7 @@ public:
         Preset scene{};
         std::vector<Vec2> accelerations{}; ///< m/s²
         std::vector<Vec2> later{};         ///< the same of the second step, m/s²
+        std::vector<Vec2> ways{};          ///< of the first step, m
 
         /// How much the second step differs from the first: 0 of a fall, about 1 of a hit or a
         /// stop, which happen once, between them where something brakes.

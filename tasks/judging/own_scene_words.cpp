@@ -30,12 +30,13 @@ public:
         if (!heavier || !wanted || isAlike(*heavier, own, 0.01) || !isAlike(*wanted, right, 0.01))
             return std::nullopt;
         return FlightSaid{
-            FlightText::tr("Gravity does not act alike on light and heavy ones (%who)"),
-            FlightText::tr("Under gravity %1 m/s² it is accelerated by %2 m/s², and by %3 m/s² "
-                           "when its radius is 1.25 times and its density 1.5 times as large. "
+            FlightText::tr("The fall of %who depends on radius or density"),
+            FlightText::tr("Under gravity %1 m/s² circle %4 is accelerated by %2 m/s², and by %3 "
+                           "m/s² when its radius is 1.25 times and its density 1.5 times as large. "
                            "Gravity is an acceleration already: all bodies fall alike, whatever "
                            "they weigh.")
-                .arg(brief(g), brief(own), brief(*heavier)),
+                .arg(brief(g), brief(own), brief(*heavier))
+                .arg(m_i + 1),
             moment(false, g)};
     }
 };

@@ -36,9 +36,9 @@ public:
             isSetX && isSetY ? FlightText::tr("Every step puts %who at the same place")
             : isSetX         ? FlightText::tr("Every step puts %who at the same x")
                              : FlightText::tr("Every step puts %who at the same y"),
-            (isSetX && isSetY ? FlightText::tr("From every start tried it comes there, and stays.")
-             : isSetX ? FlightText::tr("From every start tried it comes to that x, and keeps it.")
-                      : FlightText::tr("From every start tried it comes to that y, and keeps it."))
+            (isSetX && isSetY ? FlightText::tr("So it is from every start tried.")
+             : isSetX         ? FlightText::tr("It has that x from every start tried.")
+                              : FlightText::tr("It has that y from every start tried."))
                 + QLatin1Char(' ')
                 + FlightText::tr("A step *adds* a way to the old position: look at the lines that "
                                  "put it there, and at what is asked before them."));

@@ -126,13 +126,19 @@ private:
     {
         const bool isAll = whose.walls.size() > 1 && whose.walls == allOfThem();
         LawDeviation found =
-            isAll ? deviation(WallText::tr("At every wall %who went out"),
-                              WallText::tr("Thrown at each of them, %who went on through it; at "
-                                           "the %1 with %2 m/s. Look at whether your program asks "
-                                           "about walls for %who, and whether the answer is ever "
-                                           "yes.")
-                                  .arg(motion::wallName(hit.wall), brief(thrown(hit))),
-                              as(hit), whose, Suspect::Omission)
+            isAll ? deviation(
+                WallText::tr("At every wall %who went out"),
+                (isWithoutGravity(hit)
+                     ? WallText::tr("Thrown at each of them without gravity, %who "
+                                    "went on through it; at the %1 with %2 m/s. Look "
+                                    "at whether your program asks about walls for "
+                                    "%who, and whether the answer is ever yes.")
+                     : WallText::tr("Thrown at each of them, %who went on through it; at "
+                                    "the %1 with %2 m/s. Look at whether your program asks "
+                                    "about walls for %who, and whether the answer is ever "
+                                    "yes."))
+                    .arg(motion::wallName(hit.wall), brief(thrown(hit))),
+                as(hit), whose, Suspect::Omission)
                   : deviation(WallText::tr("At the %walls %who went out"),
                               WallText::tr("Thrown at the %1 with %2 m/s, circle %3 went on past "
                                            "it. Look at what your program asks for it, and whether "
@@ -160,6 +166,12 @@ private:
         found.family = QStringLiteral("missing");
         found.shown = shownBy(whose.circles);
         return found;
+    }
+
+    /// Whether it was thrown without the gravity that the step has.
+    [[nodiscard]] bool isWithoutGravity(const WallHit &hit) const
+    {
+        return hit.stage.preset.gravity == Vec2{} && m_ground.gravities.front() != Vec2{};
     }
 
     static const Circle &body(const WallHit &hit)

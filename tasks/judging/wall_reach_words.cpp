@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/wall_comparison.h"
+#include "tasks/judging/wall_lengths.h"
 
 #include "tasks/checks/figures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <optional>
 
 namespace cradle {
@@ -76,13 +77,6 @@ public:
     }
 
 private:
-    /// A length that a program may take for the radius.
-    struct Reach {
-        std::function<double(const WallHit &)> distance;
-        QString headline;
-        QString body;
-    };
-
     /// Whether a wall answers a circle elsewhere than at its rim. One that is put far off and keeps
     /// its velocity has not been turned.
     [[nodiscard]] static bool isElsewhere(const WallHit &hit)
@@ -133,7 +127,8 @@ private:
     }
 
     /// Whether a circle turns there at these walls.
-    [[nodiscard]] bool fitsAll(const Reach &reach, int circle, const std::set<Wall> &walls) const
+    [[nodiscard]] bool fitsAll(const WallLength &reach, int circle,
+                               const std::set<Wall> &walls) const
     {
         return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
             if (hit.circle != circle || !hit.isAnswered() || !walls.contains(hit.wall))
@@ -142,53 +137,6 @@ private:
             const double distance = reach.distance(hit);
             return hit.held && hit.fits(hit.radius) ? distance < hit.reached : hit.fits(distance);
         });
-    }
-
-    static std::vector<Reach> reaches()
-    {
-        const auto fixed = [](double length) {
-            return [length](const WallHit &) { return length; };
-        };
-        return {
-            {fixed(0.0), WallText::tr("At the %walls the centre of %who is asked for, not the rim"),
-             WallText::tr("Circle %3 is turned only when its centre is past the wall, with its rim "
-                          "one radius, %1 m, outside. A wall meets a body where the body ends.")},
-            {[](const WallHit &hit) { return hit.otherRadius; },
-             WallText::tr("At the %walls the radius of another circle stands for that of %who"),
-             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: "
-                          "the radius of the other circle there. Look at whose radius "
-                          "stands in the questions.")},
-            {[](const WallHit &hit) { return std::max(hit.radius, hit.otherRadius); },
-             WallText::tr("At the %walls the larger radius stands for that of %who"),
-             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: the radius of the other circle there, which is "
-                          "larger. Each circle has its own.")},
-            {[](const WallHit &hit) { return std::min(hit.radius, hit.otherRadius); },
-             WallText::tr("At the %walls the smaller radius stands for that of %who"),
-             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: the radius of the other circle there, which is "
-                          "smaller. Each circle has its own.")},
-            {[](const WallHit &hit) { return 0.5 * hit.radius; },
-             WallText::tr("Hits at the %walls turn %who round too late"),
-             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: "
-                          "half of that. From the centre to the rim it is the whole radius.")},
-            {fixed(0.2), WallText::tr("At the %walls a number stands for the radius of %who"),
-             WallText::tr("Here the radius of circle %3 is %1 m, and yet it turns when "
-                          "its centre is "
-                          "0.2 m from the wall. Take the radius that the circle has.")},
-            {[](const WallHit &hit) { return 2.0 * hit.radius; },
-             WallText::tr("Hits at the %walls turn %who round too early"),
-             WallText::tr("The radius of circle %3 is %1 m, and it turns when its centre is %2 m "
-                          "from the wall: "
-                          "twice the radius. From the centre to the rim it is one.")},
-            {[](const WallHit &hit) { return -hit.radius; },
-             WallText::tr("Hits at the %walls turn %who round at the far side of the rim"),
-             WallText::tr(
-                 "Circle %3 turns when its centre is one radius, %1 m, past the wall. Of its two "
-                 "ends the near one touches first: look at the sign in front of the "
-                 "radius.")}};
     }
 
     /// That it is turned before it has flown a step.
@@ -211,8 +159,9 @@ private:
             return atOnce(hit);
         // What a step cannot tell apart is not told.
         const std::set<Wall> walls = wrongWalls(circle);
-        std::vector<Reach> fitting = reaches();
-        std::erase_if(fitting, [&](const Reach &reach) { return !fitsAll(reach, circle, walls); });
+        std::vector<WallLength> fitting = wallLengths();
+        std::erase_if(fitting,
+                      [&](const WallLength &reach) { return !fitsAll(reach, circle, walls); });
         if (fitting.size() == 1) {
             QString body = fitting.front().body;
             body.replace(QLatin1String("%1"), brief(hit.radius));
@@ -220,11 +169,37 @@ private:
             body.replace(QLatin1String("%3"), QString::number(hit.circle + 1));
             return {fitting.front().headline, body};
         }
+        if (const auto number = numberWords(circle, walls))
+            return *number;
         for (const Wall wall : walls) {
             if (!m_own.hasOnePlace(circle, wall))
                 return atTimes(circle, wall);
         }
         return {lateOrEarly(circle), between(hit)};
+    }
+
+    /// That its centre is turned at one distance, whatever radius it has.
+    [[nodiscard]] std::optional<std::pair<QString, QString>>
+    numberWords(int circle, const std::set<Wall> &walls) const
+    {
+        std::set<double> radii;
+        double nearest = 0.0;
+        double farthest = std::numeric_limits<double>::infinity();
+        for (const WallHit &hit : m_own.hits) {
+            if (hit.circle != circle || !walls.contains(hit.wall) || !hit.isAnswered())
+                continue;
+            radii.insert(hit.radius);
+            nearest = std::max(nearest, hit.reached);
+            farthest = std::min(farthest, hit.before + hit.travel);
+        }
+        if (radii.size() < 2 || nearest > farthest)
+            return std::nullopt;
+        return std::pair(
+            WallText::tr("At the %walls a number stands for the radius of %who"),
+            WallText::tr("Circle %1 turned when its centre was between %2 and %3 m from the wall, "
+                         "with the radius %4 m as with %5 m. Take the radius that the circle has.")
+                .arg(QString::number(circle + 1), brief(nearest), brief(farthest),
+                     brief(*radii.begin()), brief(*radii.rbegin())));
     }
 
     /// That no place would do for all hits at a wall.

@@ -138,7 +138,7 @@ private:
                                  "worked out from.")};
         // A share that is seen with one e alone is no law.
         if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
-            return {WallText::tr("Hits at the %walls do not give %who e times the speed back"),
+            return {WallText::tr("Hits at the %walls give %who another share of the speed than e"),
                     WallText::tr("With e = %1 it is %2 times the speed, with e = %3 %4 times.")
                             .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
                                  brief(other->back))

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cradle {
 
@@ -108,6 +109,29 @@ private:
             hit, {circlesOf(open), wallsOf(open)}, Suspect::Question);
     }
 
+    /// That the floor was not tried so slowly as the walls of \p odd, if it is none of them; begins
+    /// with a blank.
+    [[nodiscard]] QString floorTold(const std::vector<std::size_t> &odd) const
+    {
+        const auto into = [](const WallHit &hit) {
+            return dot(
+                outwardNormal(hit.wall),
+                hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.velocity);
+        };
+        if (wallsOf(odd).contains(Wall::Bottom) || !allOfThem().contains(Wall::Bottom))
+            return {};
+        double slowest = std::numeric_limits<double>::infinity();
+        for (const WallHit &hit : m_own.slow) {
+            if (hit.wall == Wall::Bottom)
+                slowest = std::min(slowest, into(hit));
+        }
+        if (!std::isfinite(slowest) || slowest < 1.1 * into(m_own.slow[odd.front()]))
+            return {};
+        return QLatin1Char(' ')
+               + WallText::tr("At the floor, none slower than %1 m/s was tried.")
+                     .arg(brief(slowest));
+    }
+
     [[nodiscard]] LawDeviation oddAt(const std::vector<std::size_t> &odd) const
     {
         const WallHit &hit = m_own.slow[odd.front()];
@@ -118,7 +142,8 @@ private:
                                "that speed; %5 times is right, however slow it is.")
                       .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall),
                            brief(dot(outwardNormal(hit.wall), hit.came)), brief(hit.back),
-                           brief(m_right.slow[odd.front()].back)),
+                           brief(m_right.slow[odd.front()].back))
+                + floorTold(odd),
             hit, {circlesOf(odd), wallsOf(odd)}, Suspect::Formula);
     }
 };

@@ -34,13 +34,12 @@ public:
             || (isBlurred(gravity(), partX) && isBlurred(gravity(), partY)))
             return std::nullopt;
         const std::size_t at = isRight(x) ? shownTimestep(y, partY) : shownTimestep(x, partX);
-        const double h = m_ground.timesteps[at];
         const Flight &f = flight(at);
         const bool isX = x.kind == Kind::Constant && x.value == 0.0;
         const bool isY = y.kind == Kind::Constant && y.value == 0.0;
-        const QString went = seen(f.turnedInto, h, f.wayMade);
         // A part that nobody asks for may stay; what is wrong with the other is said first.
         const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
+        const QString went = seen(at, other.value);
         if (isX != isY && isRight(other))
             return said(isX ? FlightText::tr("The x of %who does not change")
                             : FlightText::tr("The y of %who does not change"),
@@ -61,6 +60,10 @@ public:
                                          "that changes the position takes.")
                               .arg(briefTimestep(*rightAt)),
                     true);
+        }
+        if (isOne && other.kind == Kind::Constant && other.value == 0.0 && f.wayMade == Vec2{}) {
+            if (const auto alone = onlyInOwnScene(went))
+                return *alone;
         }
         auto [headline, where] =
             wayWords(isOne ? other : TimestepPattern{Kind::Other, 0.0}, length(f.wayMade) > 1e-9);
@@ -95,6 +98,51 @@ public:
 private:
     /// What takes it so many times as far as v Δt takes it to a wall.
     static constexpr double far = 20.0;
+
+    /// What is seen with a timestep of which the way by its velocity is so many times v Δt.
+    /// \param at  which timestep
+    [[nodiscard]] QString seen(std::size_t at, double factor) const
+    {
+        const double h = m_ground.timesteps[at];
+        const Flight &f = flight(at);
+        const Flight &asked = m_right.at(gravity(), h, m_i);
+        const Vec2 v = f.turnedInto;
+        const Vec2 way = f.wayMade;
+        if (brief(way) == brief(way - f.drift))
+            return seen(v, h, way);
+        const QString text =
+            FlightText::tr("With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m");
+        const Vec2 right = asked.after({.position = {}, .velocity = v}, h).position;
+        if (shares().size() == 1 && isAlike(f.drift / factor, asked.drift))
+            return text.arg(brief(v), briefTimestep(h), briefBeside(way, right))
+                   + FlightText::tr("; %1 m is right.").arg(briefBeside(right, way));
+        return text.arg(brief(v), briefTimestep(h), brief(way))
+               + FlightText::tr(", of which %1 m are not of the velocity; v Δt is %2 m.")
+                     .arg(brief(f.drift), brief(h * v));
+    }
+
+    /// That it goes nowhere but in the first step of the own scene.
+    [[nodiscard]] std::optional<FlightSaid> onlyInOwnScene(const QString &went) const
+    {
+        const MeasuredFlight::Own &own = m_own.own();
+        const auto i = static_cast<std::size_t>(m_i);
+        if (!own.runs || i >= own.ways.size())
+            return std::nullopt;
+        const double h = own.scene.timestep;
+        const Vec2 v = own.scene.circles[i].body.velocity;
+        if (v == Vec2{} || length(own.ways[i] - h * v) > 1e-6 + h * h * length(own.scene.gravity))
+            return std::nullopt;
+        FlightSaid fault = said(
+            FlightText::tr("Only in your own scene a step moves %who"),
+            went + QLatin1Char(' ')
+                + FlightText::tr("In the first step of your own scene it goes %1 m, as its "
+                                 "velocity there makes it. So it should from every start: look at "
+                                 "what is asked before the line that moves it.")
+                      .arg(brief(own.ways[i])),
+            true);
+        fault.suspect = Suspect::Question;
+        return fault;
+    }
 
     [[nodiscard]] static QString seen(Vec2 velocity, double h, Vec2 way)
     {

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/wall_words.h"
+
+#include "tests/told_numbers.h"
+
+using namespace cradle;
+using namespace cradle::programs;
+using namespace cradle::told;
+
+/// The numbers that findings tell of where walls turn circles are those that the program's law
+/// makes.
+class TestToldReach : public LabTest
+{
+    Q_OBJECT
+private slots:
+    void initTestCase() { read(shippedLab); }
+    void reachOfAWallIsTold_data();
+    void reachOfAWallIsTold();
+    void lengthForTheRadiusIsTold();
+    void numberForTheRadiusIsTold();
+
+private:
+    /// In a step with walls that turn a circle at the distance \p reach.
+    [[nodiscard]] QString bodyOfReach(const char *reach, const QString &headline = {},
+                                      const char *step = "L42T17") const
+    {
+        const LawBench bench(task(QLatin1String(step)));
+        const QString program = written({.walls = wallsOf(wallWays[1], reach)}, structures[0]);
+        const MeasuredLaws own(&program, bench.ground);
+        return bodyOf(wallDeviations(own.walls(), bench.right.walls(), bench.ground), headline);
+    }
+};
+
+void TestToldReach::reachOfAWallIsTold_data()
+{
+    QTest::addColumn<QString>("reach");
+    QTest::addColumn<double>("more"); // than the radius, m
+    QTest::newRow("too early") << "c.radius + 0.07" << 0.07;
+    QTest::newRow("too late") << "c.radius - 0.06" << -0.06;
+    QTest::newRow("past the wall") << "c.radius - 0.6" << -0.6;
+}
+
+/// Between two places as far apart as it goes in a step.
+void TestToldReach::reachOfAWallIsTold()
+{
+    QFETCH(QString, reach);
+    QFETCH(double, more);
+    const QString body = bodyOfReach(reach.toUtf8().constData());
+    auto n = numbersIn(body, "The radius of circle # is # m, and at the * it turned when its "
+                             "centre was between # and # m from the wall.");
+    double sign = 1.0;
+    if (n.empty()) {
+        sign = -1.0;
+        n = numbersIn(body, "The radius of circle # is # m, and at the * it turned when its "
+                            "centre was between # and # m past the wall.");
+    }
+    QVERIFY2(n.size() == 4, qPrintable(body));
+    QCOMPARE(sign, more < -0.5 ? -1.0 : 1.0);
+    QCOMPARE(n[0], 1.0);
+    const double place = n[1] + more;
+    QVERIFY(sign * n[2] <= place + 1e-3 && place - 1e-3 <= sign * n[3]);
+    QVERIFY(std::abs(n[3] - n[2]) > 0.01 && std::abs(n[3] - n[2]) < 0.06); // 1.07 to 2.9 m/s
+}
+
+void TestToldReach::lengthForTheRadiusIsTold()
+{
+    const QString body = bodyOfReach("2 * c.radius");
+    const auto n = numbersIn(
+        body, "The radius of circle # is # m, and it turns when its centre is # m from the wall");
+    QVERIFY2(n.size() == 3, qPrintable(body));
+    QCOMPARE(n[0], 1.0);
+    QVERIFY(isNear(n[2], 2.0 * n[1]));
+}
+
+/// Of circle 2 alone: between two places, whichever of its two sizes it has.
+void TestToldReach::numberForTheRadiusIsTold()
+{
+    const auto n = numbersIn(
+        bodyOfReach("(c.index == 2 and 0.31 or c.radius)",
+                    QStringLiteral("At the walls a number stands for the radius of circle 2"),
+                    "L42T13"),
+        "Circle # turned when its centre was between # and # m from the wall, with the radius # m "
+        "as with # m.");
+    QCOMPARE(n.size(), std::size_t{5});
+    QCOMPARE(n[0], 2.0);
+    QVERIFY(n[1] <= 0.31 && 0.31 <= n[2] && n[2] - n[1] < 0.06);
+    QVERIFY(n[3] < 0.2 && n[4] > 0.31);
+    // A margin goes with the radius.
+    QCOMPARE(bodyOfReach("c.radius + 0.1",
+                         QStringLiteral("At the walls a number stands for the radius of"),
+                         "L42T13"),
+             QString());
+}
+
+QTEST_GUILESS_MAIN(TestToldReach)
+#include "test_told_reach.moc"
