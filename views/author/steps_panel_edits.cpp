@@ -3,6 +3,7 @@
 #include "views/author/steps_panel.h"
 
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/rows_list.h"
 
 #include <QListWidget>
 
