@@ -16,6 +16,59 @@ struct PhaseText {
     Q_DECLARE_TR_FUNCTIONS(Phase)
 };
 
+struct UnitWords {
+    const char *source = nullptr;
+    const char *comment = nullptr; ///< for translators
+};
+
+/// What is written and said of a quantity.
+struct QuantityWords {
+    const char *symbol = nullptr;
+    const char *name = nullptr;
+    UnitWords unit{};
+};
+
+constexpr UnitWords ofTime = QT_TRANSLATE_NOOP3("Phase", "s", "seconds");
+constexpr UnitWords ofLength = QT_TRANSLATE_NOOP3("Phase", "m", "metres");
+constexpr UnitWords ofVelocity{QT_TRANSLATE_NOOP("Phase", "m/s")};
+constexpr UnitWords ofMomentum{QT_TRANSLATE_NOOP("Phase", "kg m/s")};
+constexpr UnitWords ofEnergy = QT_TRANSLATE_NOOP3("Phase", "J", "joules");
+
+const QuantityWords &wordsOf(Quantity quantity)
+{
+    // In the order of the quantities.
+    static constexpr QuantityWords words[] = {
+        {"t", QT_TRANSLATE_NOOP("Phase", "Time"), ofTime},
+        {"x", QT_TRANSLATE_NOOP("Phase", "Position x"), ofLength},
+        {"y", QT_TRANSLATE_NOOP("Phase", "Position y"), ofLength},
+        {"v_x", QT_TRANSLATE_NOOP("Phase", "Velocity to the right"), ofVelocity},
+        {"v_y", QT_TRANSLATE_NOOP("Phase", "Velocity upwards"), ofVelocity},
+        {"|v|", QT_TRANSLATE_NOOP("Phase", "Speed"), ofVelocity},
+        {"p_x", QT_TRANSLATE_NOOP("Phase", "Momentum to the right"), ofMomentum},
+        {"p_y", QT_TRANSLATE_NOOP("Phase", "Momentum upwards"), ofMomentum},
+        {"|p|", QT_TRANSLATE_NOOP("Phase", "Size of the momentum"), ofMomentum},
+        {QT_TRANSLATE_NOOP("Phase", "kinetic"), QT_TRANSLATE_NOOP("Phase", "Kinetic energy"),
+         ofEnergy},
+        {QT_TRANSLATE_NOOP("Phase", "potential"), QT_TRANSLATE_NOOP("Phase", "Potential energy"),
+         ofEnergy},
+        {QT_TRANSLATE_NOOP("Phase", "total"), QT_TRANSLATE_NOOP("Phase", "Total energy"), ofEnergy},
+        {QT_TRANSLATE_NOOP("Phase", "distance 1–2"),
+         QT_TRANSLATE_NOOP("Phase", "Distance of circles 1 and 2"), ofLength},
+        {QT_TRANSLATE_NOOP("Phase", "off exact"),
+         QT_TRANSLATE_NOOP("Phase", "Distance from the exact motion"), ofLength},
+        {QT_TRANSLATE_NOOP("Phase", "more than exact"),
+         QT_TRANSLATE_NOOP("Phase", "Energy more than the exact motion"), ofEnergy},
+    };
+    static_assert(std::size(words) == static_cast<std::size_t>(Quantity::EnergyExact) + 1);
+    return words[static_cast<std::size_t>(quantity)];
+}
+
+/// Whether its symbol is a word, which other languages have another for.
+bool isWord(Quantity quantity)
+{
+    return quantity >= Quantity::Kinetic;
+}
+
 double partOf(Quantity quantity, Vec2 position, Vec2 velocity, const Totals &totals)
 {
     switch (quantity) {
@@ -97,99 +150,19 @@ std::optional<double> valueOf(const PhaseVariable &variable, const PhaseMoment &
 
 QString symbolOf(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::Time:
-        return QStringLiteral("t");
-    case Quantity::X:
-        return QStringLiteral("x");
-    case Quantity::Y:
-        return QStringLiteral("y");
-    case Quantity::VelocityX:
-        return QStringLiteral("v_x");
-    case Quantity::VelocityY:
-        return QStringLiteral("v_y");
-    case Quantity::Speed:
-        return QStringLiteral("|v|");
-    case Quantity::MomentumX:
-        return QStringLiteral("p_x");
-    case Quantity::MomentumY:
-        return QStringLiteral("p_y");
-    case Quantity::MomentumSize:
-        return QStringLiteral("|p|");
-    case Quantity::Kinetic:
-        return PhaseText::tr("kinetic");
-    case Quantity::Potential:
-        return PhaseText::tr("potential");
-    case Quantity::Total:
-        return PhaseText::tr("total");
-    case Quantity::Distance:
-        return PhaseText::tr("distance 1–2");
-    case Quantity::OffExact:
-        return PhaseText::tr("off exact");
-    case Quantity::EnergyExact:
-        break;
-    }
-    return PhaseText::tr("more than exact");
+    const char *symbol = wordsOf(quantity).symbol;
+    return isWord(quantity) ? PhaseText::tr(symbol) : QLatin1String(symbol);
 }
 
 QString nameOf(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::Time:
-        return PhaseText::tr("Time");
-    case Quantity::X:
-        return PhaseText::tr("Position x");
-    case Quantity::Y:
-        return PhaseText::tr("Position y");
-    case Quantity::VelocityX:
-        return PhaseText::tr("Velocity to the right");
-    case Quantity::VelocityY:
-        return PhaseText::tr("Velocity upwards");
-    case Quantity::Speed:
-        return PhaseText::tr("Speed");
-    case Quantity::MomentumX:
-        return PhaseText::tr("Momentum to the right");
-    case Quantity::MomentumY:
-        return PhaseText::tr("Momentum upwards");
-    case Quantity::MomentumSize:
-        return PhaseText::tr("Size of the momentum");
-    case Quantity::Kinetic:
-        return PhaseText::tr("Kinetic energy");
-    case Quantity::Potential:
-        return PhaseText::tr("Potential energy");
-    case Quantity::Total:
-        return PhaseText::tr("Total energy");
-    case Quantity::Distance:
-        return PhaseText::tr("Distance of circles 1 and 2");
-    case Quantity::OffExact:
-        return PhaseText::tr("Distance from the exact motion");
-    case Quantity::EnergyExact:
-        break;
-    }
-    return PhaseText::tr("Energy more than the exact motion");
+    return PhaseText::tr(wordsOf(quantity).name);
 }
 
 QString unitOf(Quantity quantity)
 {
-    switch (quantity) {
-    case Quantity::Time:
-        return PhaseText::tr("s", "seconds");
-    case Quantity::X:
-    case Quantity::Y:
-    case Quantity::Distance:
-    case Quantity::OffExact:
-        return PhaseText::tr("m", "metres");
-    case Quantity::VelocityX:
-    case Quantity::VelocityY:
-    case Quantity::Speed:
-        return PhaseText::tr("m/s");
-    case Quantity::MomentumX:
-    case Quantity::MomentumY:
-    case Quantity::MomentumSize:
-        return PhaseText::tr("kg m/s");
-    default:
-        return PhaseText::tr("J", "joules");
-    }
+    const UnitWords &unit = wordsOf(quantity).unit;
+    return PhaseText::tr(unit.source, unit.comment);
 }
 
 QString textOf(const PhaseVariable &variable)
