@@ -94,7 +94,7 @@ void AuthorWays::showVisit()
 void AuthorWays::openValues()
 {
     m_panes.showTab(AuthorPanes::Text);
-    m_panes.text->openValues();
+    m_panes.text->open(TextTab::ValuesPart);
 }
 
 void AuthorWays::openScene(bool ofSolution)
@@ -178,9 +178,9 @@ void AuthorWays::goToText(const Error &finding)
     const bool codeHints = part == QLatin1String("code_hints");
     m_panes.showTab(AuthorPanes::Text);
     if (part == QLatin1String("prediction"))
-        m_panes.text->openPrediction();
+        m_panes.text->open(TextTab::PredictionPart);
     else if (part == QLatin1String("questions"))
-        m_panes.text->openQuestions();
+        m_panes.text->open(TextTab::QuestionsPart);
     else if (part == QLatin1String("values"))
         m_panes.text->openValue(finding.file.section(QLatin1Char('/'), 0, 0), whichOf(finding));
     else if (codeHints || part == QLatin1String("hints"))

@@ -9626,10 +9626,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>النوع</translation>
     </message>
     <message>
-        <source>Circles</source>
-        <translation>الدوائر</translation>
-    </message>
-    <message>
         <source>Title of the check</source>
         <translation>عنوان الفحص</translation>
     </message>
@@ -9940,6 +9936,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
         <translation>الدوائر: الصواب أعداد من 1 إلى 100 مثل «⁦1, 2⁩»</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>الدوائر</translation>
     </message>
     <message>
         <source>Circles that it looks at</source>
@@ -12489,10 +12489,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Compare</source>
         <translation>المقارنة</translation>
-    </message>
-    <message>
-        <source>Circles</source>
-        <translation>الدوائر</translation>
     </message>
     <message>
         <source>What is compared</source>

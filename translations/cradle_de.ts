@@ -9542,10 +9542,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Art</translation>
     </message>
     <message>
-        <source>Circles</source>
-        <translation>Kreise</translation>
-    </message>
-    <message>
         <source>Title of the check</source>
         <translation>Titel der Prüfung</translation>
     </message>
@@ -9856,6 +9852,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
         <translation>Kreise: Richtig sind Nummern von 1 bis 100 wie „1, 2“</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Kreise</translation>
     </message>
     <message>
         <source>Circles that it looks at</source>
@@ -12377,10 +12377,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>Circles</source>
-        <translation>Kreise</translation>
     </message>
     <message>
         <source>What is compared</source>

@@ -9542,10 +9542,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Type</translation>
     </message>
     <message>
-        <source>Circles</source>
-        <translation>Cercles</translation>
-    </message>
-    <message>
         <source>Title of the check</source>
         <translation>Titre de la vérification</translation>
     </message>
@@ -9856,6 +9852,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Circles: numbers from 1 to 100 as “1, 2” are right</source>
         <translation>Cercles&#xa0;: il faut des nombres de 1 à 100 comme «&#xa0;1, 2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Cercles</translation>
     </message>
     <message>
         <source>Circles that it looks at</source>
@@ -12377,10 +12377,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Compare</source>
         <translation>Comparer</translation>
-    </message>
-    <message>
-        <source>Circles</source>
-        <translation>Cercles</translation>
     </message>
     <message>
         <source>What is compared</source>

@@ -17,6 +17,17 @@ public:
         setSizeAdjustPolicy(AdjustToContents);
     }
 
+    /// Writes \p texts as the items, which keep what they hold; the choice stays.
+    void setTexts(const QStringList &texts)
+    {
+        for (int i = 0; i < texts.size(); ++i) {
+            if (i < count())
+                setItemText(i, texts[i]);
+            else
+                addItem(texts[i]);
+        }
+    }
+
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 };
 

@@ -18,12 +18,12 @@ namespace cradle {
 ArrangementDialog::ArrangementDialog(Arrangement::Pattern pattern, QWidget *parent)
     : QDialog(parent)
     , m_pattern(pattern)
+    , m_form(makeFormRows())
 {
     using Pattern = Arrangement::Pattern;
     const Arrangement usual;
     auto *column = new QVBoxLayout(this);
-    auto *form = makeFormRows();
-    column->addLayout(form);
+    column->addLayout(m_form);
     if (pattern == Pattern::Rack) {
         setWindowTitle(tr("Rack"));
         m_rows = addCount(tr("Rows"), "arrangementRows", usual.rows);
@@ -57,14 +57,10 @@ ArrangementDialog::ArrangementDialog(Arrangement::Pattern pattern, QWidget *pare
 QSpinBox *ArrangementDialog::addCount(const QString &caption, const char *name, int value)
 {
     auto *field = new QSpinBox(this);
-    field->setObjectName(QLatin1String(name));
     field->setRange(1, 100);
     field->setValue(value);
-    field->setAccessibleName(caption);
-    auto *label = new QLabel(caption, this);
-    label->setBuddy(field);
-    static_cast<QFormLayout *>(layout()->itemAt(0)->layout())->addRow(label, field);
     connect(field, &QSpinBox::valueChanged, this, &ArrangementDialog::showResult);
+    add(field, caption, name);
     return field;
 }
 
@@ -72,18 +68,21 @@ QDoubleSpinBox *ArrangementDialog::addLength(const QString &caption, const char 
                                              double least)
 {
     auto *field = new QDoubleSpinBox(this);
-    field->setObjectName(QLatin1String(name));
     field->setRange(least, 2.0);
     field->setDecimals(3);
     field->setSingleStep(0.01);
     field->setSuffix(QStringLiteral(" m"));
     field->setValue(value);
-    field->setAccessibleName(caption);
-    auto *label = new QLabel(caption, this);
-    label->setBuddy(field);
-    static_cast<QFormLayout *>(layout()->itemAt(0)->layout())->addRow(label, field);
     connect(field, &QDoubleSpinBox::valueChanged, this, &ArrangementDialog::showResult);
+    add(field, caption, name);
     return field;
+}
+
+void ArrangementDialog::add(QWidget *field, const QString &caption, const char *name)
+{
+    field->setObjectName(QLatin1String(name));
+    addField(m_form, field);
+    nameField(field, caption);
 }
 
 Arrangement ArrangementDialog::arrangement() const

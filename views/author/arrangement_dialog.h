@@ -10,6 +10,7 @@ QT_BEGIN_NAMESPACE
 class QCheckBox;
 class QDialogButtonBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QSpinBox;
 QT_END_NAMESPACE
@@ -29,9 +30,11 @@ public:
 private:
     QSpinBox *addCount(const QString &caption, const char *name, int value);
     QDoubleSpinBox *addLength(const QString &caption, const char *name, double value, double least);
+    void add(QWidget *field, const QString &caption, const char *name);
     void showResult();
 
     Arrangement::Pattern m_pattern;
+    QFormLayout *m_form;
     QSpinBox *m_rows = nullptr;
     QSpinBox *m_columns = nullptr; ///< of a grid alone
     QDoubleSpinBox *m_radius = nullptr;

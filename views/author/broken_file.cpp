@@ -5,13 +5,14 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QSignalBlocker>
 #include <QTextBlock>
-#include <QVBoxLayout>
 
 namespace cradle {
 
@@ -21,24 +22,12 @@ BrokenFile::BrokenFile(AuthorDocument &document, QWidget *parent)
     , m_heading(makeHeading(this))
     , m_reason(new QLabel(this))
     , m_note(makeMutedText(this))
-    , m_text(new QPlainTextEdit(this))
+    , m_text(makeFileText(QStringLiteral("brokenText"), this))
 {
     m_reason->setWordWrap(true);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setKind(m_reason, "warning");
-    m_text->setFont(codeFont()); // first: a style sheet remembers what it was before
-    setKind(m_text, "field");
-    m_text->setObjectName(QStringLiteral("brokenText"));
-    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
-    m_text->setUndoRedoEnabled(false); // undo is the lab's
-    m_text->setTabChangesFocus(true);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 12, 16, 12);
-    column->setSpacing(8);
-    for (QWidget *each : {static_cast<QWidget *>(m_heading), static_cast<QWidget *>(m_reason),
-                          static_cast<QWidget *>(m_note)})
-        column->addWidget(each);
-    column->addWidget(m_text, 1);
+    layOutColumn(this, {16, 12, 16, 12}, 8, {m_heading, m_reason, m_note, {m_text, 1}});
     retranslate();
     connect(m_text, &QPlainTextEdit::textChanged, this, &BrokenFile::takeText);
     onChange(this, {QEvent::LanguageChange}, [this] {
@@ -67,9 +56,8 @@ bool BrokenFile::follow()
     m_text->setReadOnly(m_document.isReadOnly());
     const QString text = textOf(m_document.files(), fault->file);
     if (m_text->toPlainText() != text) {
-        m_loading = true;
+        const QSignalBlocker blocker(m_text);
         m_text->setPlainText(text);
-        m_loading = false;
     }
     if (another && fault->line > 0) {
         QTextCursor cursor(m_text->document()->findBlockByNumber(fault->line - 1));
@@ -81,7 +69,7 @@ bool BrokenFile::follow()
 
 void BrokenFile::takeText()
 {
-    if (m_loading || m_fault.file.isEmpty())
+    if (m_fault.file.isEmpty())
         return;
     m_document.edit(tr("Mend %1").arg(m_fault.file),
                     withText(m_document.files(), m_fault.file, m_text->toPlainText()),

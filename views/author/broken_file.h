@@ -30,7 +30,6 @@ private:
 
     AuthorDocument &m_document;
     Error m_fault{};
-    bool m_loading = false;
     QLabel *m_heading = nullptr;
     QLabel *m_reason = nullptr;
     QLabel *m_note = nullptr;

@@ -9,6 +9,7 @@
 #include "views/author/parameter_form.h"
 #include "views/author/rows_list.h"
 #include "views/author/scene_form.h"
+#include "views/boxes.h"
 #include "views/choice_box.h"
 #include "views/on_change.h"
 
@@ -51,37 +52,26 @@ void CheckEditor::makeLayout()
     m_points = new QLineEdit(this);
     m_parameters = new ParameterForm(m_texts, QStringLiteral("parameters"), this);
     m_scene = new SceneForm(m_texts, this);
-    m_refusal = makeRefusal(this);
     m_title->setObjectName(QStringLiteral("checkTitle"));
     m_id->setObjectName(QStringLiteral("checkId"));
     m_kind->setObjectName(QStringLiteral("checkKind"));
     m_circles->setObjectName(QStringLiteral("checkCircles"));
     m_points->setObjectName(QStringLiteral("checkPoints"));
+    m_points->setPlaceholderText(QStringLiteral("1"));
     for (QLineEdit *line : {m_id, static_cast<QLineEdit *>(m_circles), m_points})
         line->setMaximumWidth(shortWidth);
     m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
 
     QFormLayout *form = makeFormRows();
-    QWidget *const fields[] = {m_title, m_id, m_points, m_kind, m_circles};
-    for (std::size_t i = 0; i < std::size(fields); ++i) {
-        m_captions[i] = new QLabel(this);
-        m_captions[i]->setBuddy(fields[i]);
-        m_captions[i]->setMinimumWidth(m_parameters->captionWidth());
-        form->addRow(m_captions[i], fields[i]);
-        if (fields[i] == m_kind)
+    for (QWidget *field :
+         std::initializer_list<QWidget *>{m_title, m_id, m_points, m_kind, m_circles}) {
+        addField(form, field)->setMinimumWidth(m_parameters->captionWidth());
+        if (field == m_kind)
             form->addRow(m_purpose);
     }
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 10, 16, 12);
-    column->setSpacing(8);
-    column->addWidget(m_heading);
-    column->addLayout(form);
-    column->addWidget(m_parameters);
-    column->addSpacing(8);
-    column->addWidget(m_sceneHeading);
-    column->addWidget(m_scene);
-    column->addWidget(m_refusal);
-    column->addStretch(1);
+    layOutColumn(this, {16, 10, 16, 12}, 8,
+                 {m_heading, form, m_parameters, BoxPart::space(8), m_sceneHeading, m_scene,
+                  makeRefusal(m_texts, this), BoxPart::rest()});
 }
 
 void CheckEditor::wire()
@@ -109,17 +99,11 @@ void CheckEditor::wire()
         m_check.parameters = values;
         emit edited(m_check, QStringLiteral("parameters"));
     });
-    connect(m_scene, &SceneForm::kindEdited, this, [this](const QJsonObject &scene) {
-        m_check.scene = scene;
-        emit edited(m_check, QStringLiteral("scene"));
-    });
-    connect(m_scene, &SceneForm::valuesEdited, this, [this](const QJsonObject &scene) {
-        m_check.scene = scene;
-        emit edited(m_check, QStringLiteral("sceneParameters"));
-    });
-    connect(m_circles, &CirclesLine::refusalsChanged, this, &CheckEditor::showRefusals);
-    connect(m_parameters, &ParameterForm::refusalsChanged, this, &CheckEditor::showRefusals);
-    connect(m_scene, &SceneForm::refusalsChanged, this, &CheckEditor::showRefusals);
+    connect(m_scene, &SceneForm::edited, this,
+            [this](const QJsonObject &scene, const QString &field) {
+                m_check.scene = scene;
+                emit edited(m_check, field);
+            });
 }
 
 void CheckEditor::show(const CheckForm &check, const QString &step)
@@ -129,42 +113,11 @@ void CheckEditor::show(const CheckForm &check, const QString &step)
     m_texts.setSubject(step + QLatin1Char('/') + check.id);
     if (m_title->text() != check.title)
         m_title->setText(check.title);
-    showLine(m_id, check.id);
-    showLine(m_points, pointsText());
+    m_texts.show(m_id, check.id);
+    m_texts.show(m_points, pointsText());
     m_circles->showCircles(check.circles);
     m_scene->showScene(check.scene);
     showKind();
-    showRefusals();
-}
-
-/// Shows the value of a field that is taken when it is left, or what was typed and is no value.
-void CheckEditor::showLine(QLineEdit *line, const QString &value)
-{
-    const RefusedTexts::Text *refused = m_texts.find(line->objectName(), value);
-    const QString text = refused ? refused->typed : value;
-    if (line->text() != text)
-        line->setText(text);
-    markRefused(line, refused != nullptr);
-}
-
-void CheckEditor::refuse(QLineEdit *line, const QString &value, const QString &reason)
-{
-    m_texts.keep(line->objectName(), {line->text(), value, reason});
-    markRefused(line, true);
-    showRefusals();
-}
-
-void CheckEditor::accept(QLineEdit *line)
-{
-    m_texts.drop(line->objectName());
-    markRefused(line, false);
-    showRefusals();
-}
-
-void CheckEditor::showRefusals()
-{
-    showRefusal(m_refusal, m_texts.reason());
-    emit refusalsChanged();
 }
 
 QString CheckEditor::pointsText() const
@@ -176,13 +129,11 @@ void CheckEditor::takeId()
 {
     static const QRegularExpression form(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     const QString id = m_id->text().trimmed();
-    if (!form.match(id).hasMatch()) {
-        refuse(m_id, m_check.id,
-               tr("An id of letters, digits, dots, dashes and underscores is right"));
-        return;
-    }
-    accept(m_id);
-    if (id == m_check.id)
+    const bool right = form.match(id).hasMatch();
+    m_texts.judge(m_id, m_check.id,
+                  right ? QString()
+                        : tr("An id of letters, digits, dots, dashes and underscores is right"));
+    if (!right || id == m_check.id)
         return;
     m_texts.rename(m_step + QLatin1Char('/') + id);
     m_check.id = id;
@@ -204,12 +155,10 @@ void CheckEditor::takePoints()
     bool ok = true;
     const QString text = m_points->text().trimmed();
     const double points = text.isEmpty() ? 1.0 : text.toDouble(&ok);
-    if (!ok || !(points >= 0.0 && points <= mostCheckPoints)) {
-        refuse(m_points, pointsText(), tr("Points: a number from 0 to 1000 is right"));
-        return;
-    }
-    accept(m_points);
-    if (points == m_check.points)
+    const bool right = ok && points >= 0.0 && points <= mostCheckPoints;
+    m_texts.judge(m_points, pointsText(),
+                  right ? QString() : tr("Points: a number from 0 to 1000 is right"));
+    if (!right || points == m_check.points)
         return;
     m_check.points = points;
     emit edited(m_check, QStringLiteral("points"));
@@ -228,16 +177,11 @@ void CheckEditor::retranslate()
 {
     m_heading->setText(tr("What is checked"));
     m_sceneHeading->setText(tr("In which scenes"));
-    const QString captions[] = {tr("Title"), tr("Id"), tr("Points"), tr("Kind"), tr("Circles")};
-    for (std::size_t i = 0; i < std::size(captions); ++i)
-        m_captions[i]->setText(captions[i]);
-    m_title->setAccessibleName(tr("Title of the check"));
-    m_id->setAccessibleName(tr("Id of the check"));
-    m_id->setToolTip(tr("Letters, digits, dots and dashes; reports name the check by it"));
-    m_points->setAccessibleName(tr("Points"));
-    m_points->setPlaceholderText(QStringLiteral("1"));
-    m_points->setToolTip(tr("What passing this check is worth in reports"));
-    m_kind->setAccessibleName(tr("Kind of the check"));
+    nameField(m_title, tr("Title"), {}, tr("Title of the check"));
+    nameField(m_id, tr("Id"), tr("Letters, digits, dots and dashes; reports name the check by it"),
+              tr("Id of the check"));
+    nameField(m_points, tr("Points"), tr("What passing this check is worth in reports"));
+    nameField(m_kind, tr("Kind"), {}, tr("Kind of the check"));
     fillKindList(m_kind, checkKinds());
     m_circles->retranslate();
 }

@@ -30,12 +30,10 @@ public:
     void show(const CheckForm &check, const QString &step);
     void setReadOnly(bool readOnly);
     /// What was typed into checks, "STEP/ID", and is no value.
-    [[nodiscard]] const RefusedTexts &refusedTexts() const { return m_texts; }
-    void forgetTexts() { m_texts.clear(); } ///< of another lab
+    [[nodiscard]] RefusedTexts &refusedTexts() { return m_texts; }
 
 signals:
     void edited(const cradle::CheckForm &check, const QString &field);
-    void refusalsChanged();
 
 private:
     void makeLayout();
@@ -44,17 +42,12 @@ private:
     void showKind();
     void takePoints();
     void takeId();
-    void showLine(QLineEdit *line, const QString &value);
-    void refuse(QLineEdit *line, const QString &value, const QString &reason);
-    void accept(QLineEdit *line);
-    void showRefusals();
     [[nodiscard]] QString pointsText() const;
 
     CheckForm m_check;
     QString m_step; ///< of the check
     RefusedTexts m_texts;
     QLabel *m_heading = nullptr;
-    QLabel *m_captions[5]{};
     QLineEdit *m_title = nullptr;
     QLineEdit *m_id = nullptr;
     QComboBox *m_kind = nullptr;
@@ -64,7 +57,6 @@ private:
     ParameterForm *m_parameters = nullptr;
     QLabel *m_sceneHeading = nullptr;
     SceneForm *m_scene = nullptr;
-    QLabel *m_refusal = nullptr;
 };
 
 } // namespace cradle

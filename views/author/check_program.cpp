@@ -6,10 +6,9 @@
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/checks/check_kinds.h"
 #include "tasks/script/student_script.h"
+#include "views/boxes.h"
 #include "views/code/code_editor.h"
 #include "views/on_change.h"
-
-#include <QVBoxLayout>
 
 namespace cradle {
 
@@ -27,9 +26,7 @@ CheckProgram::CheckProgram(AuthorDocument &document, QWidget *parent)
     , m_document(document)
     , m_editor(new CodeEditor(this))
 {
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_editor);
+    layOutColumn(this, {}, -1, {m_editor});
     keepTranslated(this, &CheckProgram::retranslate);
     connect(m_editor, &CodeEditor::textEdited, this, &CheckProgram::takeText);
 }

@@ -4,11 +4,11 @@
 
 #include "views/author/form_rows.h"
 #include "views/author/program_files.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -19,16 +19,6 @@ namespace cradle {
 namespace {
 
 constexpr qint64 trialSeed = 1; ///< as a student's first check has it
-
-QStringList programsOf(const LabFiles &files, const QString &step)
-{
-    QStringList programs{QStringLiteral("solution.lua"), QStringLiteral("starter.lua")};
-    for (const KnownKind kind : {KnownKind::Mistake, KnownKind::Remark}) {
-        for (const QString &name : knownNames(files, step, kind))
-            programs.append(fileOfProgram(kind, name));
-    }
-    return programs;
-}
 
 } // namespace
 
@@ -43,12 +33,7 @@ CheckTrial::CheckTrial(AuthorDocument &document, QWidget *parent)
     m_result->setObjectName(QStringLiteral("trialResult"));
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
     setKind(m_try, "small");
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 6, 12, 6);
-    row->setSpacing(8);
-    row->addWidget(m_try);
-    row->addWidget(m_program);
-    row->addWidget(m_result, 1);
+    layOutRow(this, {12, 6, 12, 6}, 8, {m_try, m_program, {m_result, 1}});
     retranslate();
     wire();
     reload();
@@ -69,7 +54,9 @@ void CheckTrial::wire()
 
 void CheckTrial::reload()
 {
-    const QStringList programs = programsOf(m_document.files(), m_document.step());
+    const QStringList programs =
+        QStringList{QStringLiteral("solution.lua"), QStringLiteral("starter.lua")}
+        + knownPrograms(m_document.files(), m_document.step());
     QStringList shown;
     for (int i = 0; i < m_program->count(); ++i)
         shown.append(m_program->itemText(i));

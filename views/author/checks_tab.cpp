@@ -8,10 +8,10 @@
 #include "views/author/check_trial.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
 #include "views/icons.h"
 #include "views/on_change.h"
 
-#include <QBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
@@ -66,11 +66,7 @@ void ChecksTab::makeLayout()
     m_splitter->setChildrenCollapsible(false);
     m_trial = new CheckTrial(m_document, this);
     auto *right = new QWidget(this);
-    auto *column = new QVBoxLayout(right);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_splitter, 1);
-    column->addWidget(m_trial);
+    layOutColumn(right, {}, 0, {{m_splitter, 1}, m_trial});
 
     layOutSideBySide(this, {side, right}, {listWidth, 760})->setStretchFactor(1, 1);
 }
@@ -86,8 +82,9 @@ void ChecksTab::wire()
     connect(m_list, &RowsList::removeRequested, this, &ChecksTab::removeCheck);
     connect(m_list, &RowsList::moveRequested, this, &ChecksTab::move);
     connect(m_editor, &CheckEditor::edited, this, &ChecksTab::takeCheck);
-    connect(m_editor, &CheckEditor::refusalsChanged, this, &ChecksTab::markRefused);
-    connect(&m_document, &AuthorDocument::opened, m_editor, &CheckEditor::forgetTexts);
+    RefusedTexts &refused = m_editor->refusedTexts();
+    connect(&refused, &RefusedTexts::changed, this, &ChecksTab::markRefused);
+    connect(&m_document, &AuthorDocument::opened, &refused, &RefusedTexts::clear);
 }
 
 void ChecksTab::reload()

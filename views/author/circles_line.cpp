@@ -3,6 +3,7 @@
 #include "views/author/circles_line.h"
 
 #include "views/author/form_rows.h"
+#include "views/author/refused_texts.h"
 
 #include <QRegularExpression>
 
@@ -11,7 +12,6 @@ namespace cradle {
 namespace {
 
 constexpr int mostNumbered = 100;
-const QString fieldName = QStringLiteral("circles");
 
 QString textOf(const std::vector<int> &circles)
 {
@@ -34,11 +34,7 @@ CirclesLine::CirclesLine(RefusedTexts &texts, QWidget *parent)
 void CirclesLine::showCircles(const std::vector<int> &circles)
 {
     m_circles = circles;
-    const RefusedTexts::Text *refused = m_texts.find(fieldName, textOf(circles));
-    const QString shown = refused ? refused->typed : textOf(circles);
-    if (text() != shown)
-        setText(shown);
-    markRefused(this, refused != nullptr);
+    m_texts.show(this, textOf(circles));
 }
 
 void CirclesLine::take()
@@ -49,17 +45,13 @@ void CirclesLine::take()
         bool ok = false;
         const int circle = part.toInt(&ok);
         if (!ok || circle < 1 || circle > mostNumbered) {
-            m_texts.keep(fieldName, {text(), textOf(m_circles),
-                                     tr("Circles: numbers from 1 to 100 as “1, 2” are right")});
-            markRefused(this, true);
-            emit refusalsChanged();
+            m_texts.judge(this, textOf(m_circles),
+                          tr("Circles: numbers from 1 to 100 as “1, 2” are right"));
             return;
         }
         circles.push_back(circle - 1);
     }
-    m_texts.drop(fieldName);
-    markRefused(this, false);
-    emit refusalsChanged();
+    m_texts.judge(this, {}, {});
     if (circles == m_circles)
         return;
     m_circles = circles;
@@ -68,8 +60,8 @@ void CirclesLine::take()
 
 void CirclesLine::retranslate()
 {
-    setAccessibleName(tr("Circles that it looks at"));
-    setToolTip(tr("Numbers of the circles, as “1, 2”"));
+    nameField(this, tr("Circles"), tr("Numbers of the circles, as “1, 2”"),
+              tr("Circles that it looks at"));
 }
 
 } // namespace cradle

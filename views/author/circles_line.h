@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/author/refused_texts.h"
-
 #include <QLineEdit>
 
 #include <vector>
 
 namespace cradle {
+
+class RefusedTexts;
 
 /// The numbers of the circles that a check or a remark looks at, as "1, 2".
 class CirclesLine final : public QLineEdit
@@ -24,7 +24,6 @@ public:
 
 signals:
     void circlesEdited(const std::vector<int> &circles);
-    void refusalsChanged(); ///< what was typed are no circles, or are again
 
 private:
     void take();

@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tasks/text/unified_diff.h"
+#include "views/boxes.h"
 #include "views/theme.h"
 
 #include <QCoreApplication>
@@ -11,7 +12,6 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace cradle {
 
@@ -61,13 +61,7 @@ DifferenceDialog::DifferenceDialog(const QString &question, const LabFiles &mine
     text->setLineWrapMode(QPlainTextEdit::NoWrap);
     text->setAccessibleName(tr("Difference of the two versions"));
     caption->setBuddy(text);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 12);
-    column->setSpacing(8);
-    column->addWidget(label);
-    column->addWidget(caption);
-    column->addWidget(text, 1);
-    column->addWidget(m_buttons);
+    layOutColumn(this, {16, 16, 16, 12}, 8, {label, caption, {text, 1}, m_buttons});
     QPushButton *cancel = m_buttons->button(QDialogButtonBox::Cancel);
     cancel->setDefault(true);
     cancel->setFocus();

@@ -3,15 +3,16 @@
 #include "views/author/find_panel.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "views/author/item_texts.h"
+#include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/boxes.h"
+#include "views/choice_box.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -76,13 +77,11 @@ FindPanel::FindPanel(AuthorDocument &document, QWidget *parent)
 
 void FindPanel::makeLayout()
 {
-    m_findCaption = new QLabel(this);
     m_find = new QLineEdit(this);
-    m_withCaption = new QLabel(this);
     m_with = new QLineEdit(this);
     m_case = new QCheckBox(this);
     m_words = new QCheckBox(this);
-    m_where = new QComboBox(this);
+    m_where = new ChoiceBox(this);
     m_count = new QLabel(this);
     m_replace = new QPushButton(this);
     m_close = makeIconButton(QStringLiteral("close"), this);
@@ -93,29 +92,21 @@ void FindPanel::makeLayout()
     m_words->setObjectName(QStringLiteral("findWords"));
     m_where->setObjectName(QStringLiteral("findWhere"));
     m_count->setObjectName(QStringLiteral("findCount"));
-    m_findCaption->setBuddy(m_find);
-    m_withCaption->setBuddy(m_with);
     setKind(m_count, "muted");
     setKind(m_replace, "small");
     m_list->setFixedHeight(listHeight);
-    auto *row = new QHBoxLayout;
-    row->setContentsMargins(12, 6, 12, 6);
-    row->setSpacing(8);
-    row->addWidget(m_findCaption);
-    row->addWidget(m_find, 2);
-    row->addWidget(m_withCaption);
-    row->addWidget(m_with, 2);
-    row->addWidget(m_replace);
-    row->addWidget(m_case);
-    row->addWidget(m_words);
-    row->addWidget(m_where);
-    row->addWidget(m_count);
-    row->addWidget(m_close);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(row);
-    column->addWidget(m_list);
+    auto *row = makeRow({12, 6, 12, 6}, 8,
+                        {makeCaption(m_find),
+                         {m_find, 2},
+                         makeCaption(m_with),
+                         {m_with, 2},
+                         m_replace,
+                         m_case,
+                         m_words,
+                         m_where,
+                         m_count,
+                         m_close});
+    layOutColumn(this, {}, 0, {row, m_list});
 }
 
 void FindPanel::wire()
@@ -215,15 +206,13 @@ void FindPanel::replaceAll()
 
 void FindPanel::retranslate()
 {
-    m_findCaption->setText(tr("Find"));
-    m_find->setAccessibleName(tr("Text to find in the lab"));
-    m_withCaption->setText(tr("Replace with"));
-    m_with->setAccessibleName(tr("Text to put there"));
+    nameField(m_find, tr("Find"), {}, tr("Text to find in the lab"));
+    nameField(m_with, tr("Replace with"), {}, tr("Text to put there"));
     m_replace->setText(tr("Replace all"));
     m_replace->setToolTip(tr("In all places of the list, as one edit"));
     m_case->setText(tr("Match case"));
     m_words->setText(tr("Whole words"));
-    setItemTexts(*m_where, {tr("In the whole lab"), tr("In this step")});
+    m_where->setTexts({tr("In the whole lab"), tr("In this step")});
     m_where->setAccessibleName(tr("Where to look"));
     nameButton(m_close, tr("Close the search"), tr("Esc"));
     m_list->setAccessibleName(tr("Places that were found"));

@@ -10,7 +10,6 @@
 
 QT_BEGIN_NAMESPACE
 class QCheckBox;
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -19,6 +18,7 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
+class ChoiceBox;
 class RowsList;
 
 /// Finds and replaces over the whole lab: below the tabs, hidden until it is asked for. A place is
@@ -52,13 +52,11 @@ private:
     AuthorDocument &m_document;
     std::vector<LabHit> m_hits;
     QTimer m_soon; ///< while more may be typed
-    QLabel *m_findCaption = nullptr;
     QLineEdit *m_find = nullptr;
-    QLabel *m_withCaption = nullptr;
     QLineEdit *m_with = nullptr;
     QCheckBox *m_case = nullptr;
     QCheckBox *m_words = nullptr;
-    QComboBox *m_where = nullptr;
+    ChoiceBox *m_where = nullptr;
     QLabel *m_count = nullptr;
     QPushButton *m_replace = nullptr;
     QToolButton *m_close = nullptr;

@@ -3,11 +3,11 @@
 #include "views/author/findings_list.h"
 
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -38,11 +38,7 @@ FindingsList::FindingsList(AuthorDocument &document, QWidget *parent)
     m_heading->setContentsMargins(12, 8, 12, 4);
     m_list->wrapRows();
     m_list->setMaximumHeight(mostHeight);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_heading);
-    column->addWidget(m_list);
+    layOutColumn(this, {}, 0, {m_heading, m_list});
     connect(&document, &AuthorDocument::labRead, this, &FindingsList::reload);
     const auto choose = [this](QListWidgetItem *item) {
         emit chosen(m_findings[static_cast<std::size_t>(m_list->row(item))]);

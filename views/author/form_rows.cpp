@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/form_rows.h"
 
+#include "views/author/refused_texts.h"
+#include "views/boxes.h"
 #include "views/theme.h"
 
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStyle>
-#include <QVBoxLayout>
 #include <QVariant>
 
 namespace cradle {
@@ -25,16 +27,65 @@ QFormLayout *makeFormRows()
     return form;
 }
 
-QSplitter *layOutSideBySide(QWidget *whole, const QList<QWidget *> &parts, const QList<int> &widths)
+namespace {
+
+/// nullptr if \p field has none.
+QLabel *captionOf(const QWidget *field)
 {
-    auto *splitter = new QSplitter(Qt::Horizontal, whole);
+    for (QLabel *each :
+         field->parentWidget()->findChildren<QLabel *>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (each->buddy() == field)
+            return each;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+QLabel *makeCaption(QWidget *field)
+{
+    auto *caption = new QLabel(field->parentWidget());
+    caption->setBuddy(field);
+    return caption;
+}
+
+QLabel *addField(QFormLayout *rows, QWidget *field)
+{
+    QLabel *caption = makeCaption(field);
+    rows->addRow(caption, field);
+    return caption;
+}
+
+void nameField(QWidget *field, const QString &caption, const QString &tip, const QString &spoken)
+{
+    if (QLabel *label = captionOf(field))
+        label->setText(caption);
+    field->setToolTip(tip);
+    field->setAccessibleName(spoken.isEmpty() ? caption : spoken);
+}
+
+void showField(QWidget *field, bool visible)
+{
+    if (QLabel *label = captionOf(field))
+        label->setVisible(visible);
+    field->setVisible(visible);
+}
+
+QSplitter *makeSplitter(Qt::Orientation orientation, const QList<QWidget *> &parts,
+                        const QList<int> &sizes)
+{
+    auto *splitter = new QSplitter(orientation);
     for (QWidget *part : parts)
         splitter->addWidget(part);
     splitter->setChildrenCollapsible(false);
-    splitter->setSizes(widths);
-    auto *column = new QVBoxLayout(whole);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(splitter);
+    splitter->setSizes(sizes);
+    return splitter;
+}
+
+QSplitter *layOutSideBySide(QWidget *whole, const QList<QWidget *> &parts, const QList<int> &widths)
+{
+    QSplitter *splitter = makeSplitter(Qt::Horizontal, parts, widths);
+    layOutColumn(whole, {}, -1, {splitter});
     return splitter;
 }
 
@@ -45,6 +96,18 @@ QScrollArea *scrolled(QWidget *widget)
     scroll->setWidget(widget);
     scroll->setFocusPolicy(Qt::NoFocus); // what is in it has the keyboard
     return scroll;
+}
+
+QPlainTextEdit *makeFileText(const QString &name, QWidget *parent)
+{
+    auto *text = new QPlainTextEdit(parent);
+    text->setFont(codeFont()); // first: a style sheet remembers what it was before
+    setKind(text, "field");
+    text->setObjectName(name);
+    text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    text->setUndoRedoEnabled(false);
+    text->setTabChangesFocus(true);
+    return text;
 }
 
 QLabel *makeMutedText(QWidget *parent)
@@ -61,6 +124,14 @@ QLabel *makeRefusal(QWidget *parent)
     label->setWordWrap(true);
     setKind(label, "warning");
     label->hide();
+    return label;
+}
+
+QLabel *makeRefusal(const RefusedTexts &texts, QWidget *parent)
+{
+    QLabel *label = makeRefusal(parent);
+    QObject::connect(&texts, &RefusedTexts::changed, label,
+                     [label, &texts] { showRefusal(label, texts.reason()); });
     return label;
 }
 

@@ -3,6 +3,7 @@
 #include "views/author/hints_list.h"
 
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 
 #include <QGridLayout>
@@ -34,10 +35,7 @@ HintsList::HintsList(QWidget *parent)
     buttons->addWidget(m_list->button(RowsList::Up), 1, 0);
     buttons->addWidget(m_list->button(RowsList::Down), 1, 1);
     buttons->setRowStretch(2, 1);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 6, 0);
-    row->addWidget(m_list, 1);
-    row->addLayout(buttons);
+    layOutRow(this, {0, 0, 6, 0}, -1, {{m_list, 1}, buttons});
     connect(m_list, &RowsList::currentRowChanged, this, &HintsList::currentChanged);
     connect(m_list, &RowsList::addRequested, this, &HintsList::add);
     connect(m_list, &RowsList::removeRequested, this, &HintsList::remove);

@@ -5,13 +5,13 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/form_rows.h"
 #include "views/author/text_languages.h"
+#include "views/boxes.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QVBoxLayout>
 
 namespace cradle {
 
@@ -49,13 +49,7 @@ LabDialog::LabDialog(AuthorDocument &document, Purpose purpose, QWidget *parent)
         readOnly ? QDialogButtonBox::Close : QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::accepted, this, &LabDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &LabDialog::reject);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 12);
-    column->setSpacing(12);
-    column->addLayout(form);
-    column->addWidget(note);
-    column->addWidget(m_refusal);
-    column->addWidget(buttons);
+    layOutColumn(this, {16, 16, 16, 12}, 12, {form, note, m_refusal, buttons});
     for (QLineEdit *line : findChildren<QLineEdit *>())
         line->setReadOnly(readOnly);
     m_language->setEnabled(!readOnly);
@@ -71,15 +65,12 @@ void LabDialog::makeTitles(QFormLayout *form)
         line->setObjectName(QStringLiteral("labTitle.") + language);
         line->setMaxLength(longestText);
         const bool own = language == m_ownLanguage;
-        const QString caption = tr("Title, %1").arg(languageWithCode(language));
-        line->setAccessibleName(caption);
         if (const Result<LabForm> lab = labForm(files, language))
             line->setText(own || hasTitle(files, language) ? lab->title : QString());
         if (!own)
             line->setPlaceholderText(labForm(files)->title);
-        auto *label = new QLabel(caption, this);
-        label->setBuddy(line);
-        form->addRow(label, line);
+        addField(form, line);
+        nameField(line, tr("Title, %1").arg(languageWithCode(language)));
         m_titles.push_back({language, line});
     }
 }
@@ -93,9 +84,6 @@ void LabDialog::makeFields(QFormLayout *form)
     m_id->setObjectName(QStringLiteral("labId"));
     m_language->setObjectName(QStringLiteral("labLanguage"));
     m_version->setMaxLength(longestText);
-    m_id->setToolTip(tr("Letters, digits, dots and dashes"));
-    m_language->setToolTip(tr("The language of task.json and instructions.md; texts in others have "
-                              "files of their own"));
     for (const Title &title : m_titles)
         m_language->addItem(languageWithCode(title.language), title.language);
     m_language->setCurrentIndex(m_language->findData(m_ownLanguage));
@@ -103,14 +91,13 @@ void LabDialog::makeFields(QFormLayout *form)
         m_version->setText(lab->version);
         m_id->setText(lab->id);
     }
-    const std::pair<QString, QWidget *> rows[] = {
-        {tr("Version"), m_version}, {tr("Id"), m_id}, {tr("Written in"), m_language}};
-    for (const auto &[caption, field] : rows) {
-        auto *label = new QLabel(caption, this);
-        label->setBuddy(field);
-        field->setAccessibleName(caption);
-        form->addRow(label, field);
-    }
+    for (QWidget *field : std::initializer_list<QWidget *>{m_version, m_id, m_language})
+        addField(form, field);
+    nameField(m_version, tr("Version"));
+    nameField(m_id, tr("Id"), tr("Letters, digits, dots and dashes"));
+    nameField(m_language, tr("Written in"),
+              tr("The language of task.json and instructions.md; texts in others have files of "
+                 "their own"));
 }
 
 void LabDialog::nameCopy()

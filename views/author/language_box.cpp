@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/language_box.h"
 
-#include "views/author/item_texts.h"
 #include "views/author/text_languages.h"
 #include "views/on_change.h"
 
@@ -43,7 +42,7 @@ void LanguageBox::retranslate()
     QStringList texts;
     for (int i = 0; i < count(); ++i)
         texts.append(tr("Texts in %1").arg(languageWithCode(itemData(i).toString())));
-    setItemTexts(*this, texts);
+    setTexts(texts);
 }
 
 } // namespace cradle

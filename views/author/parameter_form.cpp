@@ -4,12 +4,12 @@
 
 #include "views/author/form_rows.h"
 #include "views/author/parameter_text.h"
+#include "views/boxes.h"
 #include "views/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
@@ -30,12 +30,10 @@ ParameterForm::ParameterForm(RefusedTexts &texts, const QString &name, QWidget *
     : QWidget(parent)
     , m_texts(texts)
     , m_name(name)
-    , m_layout(new QFormLayout(this))
+    , m_layout(makeFormRows())
 {
+    setLayout(m_layout);
     m_layout->setContentsMargins(0, 0, 0, 0);
-    m_layout->setHorizontalSpacing(12);
-    m_layout->setVerticalSpacing(6);
-    m_layout->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_layout->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
 }
 
@@ -90,14 +88,10 @@ void ParameterForm::addField(const ParameterInfo &info)
     caption->setMinimumWidth(captionWidth());
     caption->setBuddy(field.widget);
     auto *row = new QWidget(this);
-    auto *line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->addWidget(field.widget);
     auto *unit = new QLabel(info.unit, row);
     unit->setHidden(info.unit.isEmpty());
     setKind(unit, "muted");
-    line->addWidget(unit);
-    line->addStretch(1);
+    layOutRow(row, {}, -1, {field.widget, unit, BoxPart::rest()});
     m_layout->addRow(caption, row);
     m_fields.push_back(std::move(field));
 }
@@ -151,9 +145,7 @@ ParameterForm::Field ParameterForm::makeChoice(const ParameterInfo &info)
 ParameterForm::Field ParameterForm::makeChoices(const ParameterInfo &info)
 {
     auto *group = new QWidget(this);
-    auto *row = new QVBoxLayout(group);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
+    auto *row = layOutColumn(group, {}, 2);
     std::vector<QCheckBox *> boxes;
     for (const QString &choice : info.choices) {
         auto *box = new QCheckBox(choice, group);
@@ -205,7 +197,6 @@ void ParameterForm::takeLine(const ParameterInfo &info, QLineEdit *line)
         m_texts.keep(keyOf(info), {line->text(), textOfParameter(info, m_values.value(info.name)),
                                    value.error().message});
     markRefused(line, !value);
-    emit refusalsChanged();
     if (value)
         set(info.name, *value);
 }

@@ -38,7 +38,6 @@ public:
 
 signals:
     void edited(const QJsonObject &values);
-    void refusalsChanged(); ///< what was typed is no value, or is one again
 
 private:
     struct Field {

@@ -36,7 +36,7 @@ PredictionEditor::PredictionEditor(FormulaRenderer *renderer, QWidget *parent)
     makeLayout(renderer);
     keepTranslated(this, &PredictionEditor::retranslate);
     wire();
-    showPrediction({});
+    setPrediction({});
 }
 
 void PredictionEditor::wire()
@@ -44,7 +44,7 @@ void PredictionEditor::wire()
     connect(m_begin, &QPushButton::clicked, this, &PredictionEditor::begin);
     connect(m_add, &QPushButton::clicked, this, &PredictionEditor::addAnswer);
     connect(m_removeAll, &QPushButton::clicked, this, [this] {
-        showPrediction({});
+        setPrediction({});
         emit edited(m_prediction, {});
     });
     connect(m_question, &MarkdownEditor::edited, this,
@@ -59,7 +59,13 @@ void PredictionEditor::wire()
     }
 }
 
-void PredictionEditor::showPrediction(const std::optional<Prediction> &prediction)
+void PredictionEditor::showPrediction(const std::optional<Prediction> &prediction, bool readOnly)
+{
+    m_readOnly = readOnly;
+    setPrediction(prediction);
+}
+
+void PredictionEditor::setPrediction(const std::optional<Prediction> &prediction)
 {
     m_prediction = prediction;
     m_nothing->setVisible(!prediction);
@@ -115,18 +121,12 @@ void PredictionEditor::enableFields()
     }
 }
 
-void PredictionEditor::setReadOnly(bool readOnly)
-{
-    m_readOnly = readOnly;
-    enableFields();
-}
-
 void PredictionEditor::begin()
 {
-    showPrediction(Prediction{.question = tr("What will happen?"),
-                              .answers = {tr("The first answer"), tr("The second answer")},
-                              .right = 0,
-                              .outcome = tr("What happens, and why.")});
+    setPrediction(Prediction{.question = tr("What will happen?"),
+                             .answers = {tr("The first answer"), tr("The second answer")},
+                             .right = 0,
+                             .outcome = tr("What happens, and why.")});
     emit edited(m_prediction, {});
     m_question->setFocus();
     m_question->selectAll();
@@ -136,7 +136,7 @@ void PredictionEditor::addAnswer()
 {
     Prediction prediction = *m_prediction;
     prediction.answers.append(tr("Another answer"));
-    showPrediction(prediction);
+    setPrediction(prediction);
     emit edited(m_prediction, {});
     const AnswerRow &last = m_rows[static_cast<std::size_t>(prediction.answers.size() - 1)];
     last.text->setFocus();
@@ -151,7 +151,7 @@ void PredictionEditor::removeAnswer(int answer)
         prediction.right = 0;
     else if (prediction.right > answer)
         --prediction.right;
-    showPrediction(prediction);
+    setPrediction(prediction);
     emit edited(m_prediction, {});
 }
 
@@ -197,8 +197,7 @@ void PredictionEditor::retranslate()
     m_none->setText(tr("This step asks for no prediction. A question that is asked before the "
                        "scene is watched, and answered after it, makes students look."));
     m_begin->setText(tr("Ask for a prediction"));
-    m_questionCaption->setText(tr("Question"));
-    m_question->setAccessibleName(tr("Question"));
+    nameField(m_question, tr("Question"));
     m_answersCaption->setText(tr("Answers: two to four that students truly believe; mark the one "
                                  "that comes true"));
     for (int i = 0; i < mostAnswers; ++i) {
@@ -210,8 +209,8 @@ void PredictionEditor::retranslate()
         row.remove->setToolTip(row.remove->accessibleName());
     }
     m_add->setText(tr("Add an answer"));
-    m_outcomeCaption->setText(tr("What happens, and why; told after the step was passed"));
-    m_outcome->setAccessibleName(tr("What happens, and why"));
+    nameField(m_outcome, tr("What happens, and why; told after the step was passed"), {},
+              tr("What happens, and why"));
     m_removeAll->setText(tr("Remove the prediction"));
     m_beforeCaption->setText(tr("What the student sees before"));
     m_afterCaption->setText(tr("And after"));

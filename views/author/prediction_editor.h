@@ -32,8 +32,7 @@ public:
     /// \param renderer  sets formulas; outlives the editor
     explicit PredictionEditor(FormulaRenderer *renderer, QWidget *parent = nullptr);
 
-    void showPrediction(const std::optional<Prediction> &prediction);
-    void setReadOnly(bool readOnly);
+    void showPrediction(const std::optional<Prediction> &prediction, bool readOnly);
 
 signals:
     /// \param field  that was typed into; empty if answers, or the whole, came or went
@@ -55,6 +54,7 @@ private:
     QWidget *makeCards(FormulaRenderer *renderer);
     void wire();
     void retranslate();
+    void setPrediction(const std::optional<Prediction> &prediction);
     void showAnswers();
     void showCards();
     void enableFields();
@@ -70,13 +70,11 @@ private:
     QLabel *m_none = nullptr;
     QPushButton *m_begin = nullptr;
     QWidget *m_form = nullptr;
-    QLabel *m_questionCaption = nullptr;
     MarkdownEditor *m_question = nullptr;
     QLabel *m_answersCaption = nullptr;
     QButtonGroup *m_right = nullptr;
     std::array<AnswerRow, mostAnswers> m_rows{};
     QPushButton *m_add = nullptr;
-    QLabel *m_outcomeCaption = nullptr;
     MarkdownEditor *m_outcome = nullptr;
     QLabel *m_refusal = nullptr;
     QPushButton *m_removeAll = nullptr;

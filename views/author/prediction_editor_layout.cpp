@@ -5,6 +5,7 @@
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/tool_buttons.h"
+#include "views/boxes.h"
 #include "views/task_pane/prediction_card.h"
 #include "views/theme.h"
 
@@ -30,11 +31,7 @@ constexpr int longestGuess = 100;  ///< characters, as in task.schema.json
 void PredictionEditor::makeLayout(FormulaRenderer *renderer)
 {
     auto *side = new QWidget;
-    auto *both = new QVBoxLayout(side);
-    both->setContentsMargins(12, 8, 12, 8);
-    both->addWidget(makeNothing(side));
-    both->addWidget(makeForm(side));
-    both->addStretch(1);
+    layOutColumn(side, {12, 8, 12, 8}, -1, {makeNothing(side), makeForm(side), BoxPart::rest()});
     m_cardsPane = scrolled(makeCards(renderer));
     layOutSideBySide(this, {scrolled(side), m_cardsPane}, {500, 500});
 }
@@ -44,20 +41,14 @@ QWidget *PredictionEditor::makeNothing(QWidget *parent)
     m_nothing = new QWidget(parent);
     m_none = makeMutedText(m_nothing);
     m_begin = new QPushButton(m_nothing);
-    auto *column = new QVBoxLayout(m_nothing);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
-    column->addWidget(m_none);
-    column->addWidget(m_begin, 0, Qt::AlignLeft);
+    layOutColumn(m_nothing, {}, 8, {m_none, {m_begin, 0, Qt::AlignLeft}});
     return m_nothing;
 }
 
 QWidget *PredictionEditor::makeForm(QWidget *parent)
 {
     m_form = new QWidget(parent);
-    m_questionCaption = new QLabel(m_form);
     m_question = makeTextField(QStringLiteral("predictionQuestion"), questionHeight, m_form);
-    m_questionCaption->setBuddy(m_question);
     m_answersCaption = new QLabel(m_form);
     m_answersCaption->setWordWrap(true);
     // In the order in which Tab goes through them.
@@ -66,25 +57,19 @@ QWidget *PredictionEditor::makeForm(QWidget *parent)
         makeAnswer(i);
     m_add = new QPushButton(m_form);
     setKind(m_add, "link");
-    m_outcomeCaption = new QLabel(m_form);
-    m_outcomeCaption->setWordWrap(true);
     m_outcome = makeTextField(QStringLiteral("predictionOutcome"), outcomeHeight, m_form);
-    m_outcomeCaption->setBuddy(m_outcome);
+    QLabel *outcome = makeCaption(m_outcome);
+    outcome->setWordWrap(true);
     m_refusal = makeRefusal(m_form);
     m_removeAll = new QPushButton(m_form);
     setKind(m_removeAll, "link");
-    auto *column = new QVBoxLayout(m_form);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
-    column->addWidget(m_questionCaption);
-    column->addWidget(m_question);
-    column->addSpacing(4);
-    column->addWidget(m_answersCaption);
+    auto *column = layOutColumn(
+        m_form, {}, 6, {makeCaption(m_question), m_question, BoxPart::space(4), m_answersCaption});
     for (const AnswerRow &row : m_rows)
         column->addWidget(row.widget);
     column->addWidget(m_add, 0, Qt::AlignLeft);
     column->addSpacing(4);
-    column->addWidget(m_outcomeCaption);
+    column->addWidget(outcome);
     column->addWidget(m_outcome);
     column->addWidget(m_refusal);
     column->addSpacing(4);
@@ -102,12 +87,7 @@ void PredictionEditor::makeAnswer(int answer)
     row.text->setMaxLength(longestGuess);
     row.remove = makeIconButton(QStringLiteral("remove"), row.widget);
     m_right->addButton(row.right, answer);
-    auto *line = new QHBoxLayout(row.widget);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(8);
-    line->addWidget(row.right);
-    line->addWidget(row.text, 1);
-    line->addWidget(row.remove);
+    layOutRow(row.widget, {}, 8, {row.right, {row.text, 1}, row.remove});
 }
 
 QWidget *PredictionEditor::makeCards(FormulaRenderer *renderer)
@@ -118,15 +98,9 @@ QWidget *PredictionEditor::makeCards(FormulaRenderer *renderer)
     m_before = new PredictionCard(renderer, m_cards);
     m_afterCaption = makeMutedText(m_cards);
     m_after = new PredictionCard(renderer, m_cards);
-    auto *column = new QVBoxLayout(m_cards);
-    column->setContentsMargins(12, 8, 12, 8);
-    column->setSpacing(8);
-    column->addWidget(m_beforeCaption);
-    column->addWidget(m_before);
-    column->addSpacing(8);
-    column->addWidget(m_afterCaption);
-    column->addWidget(m_after);
-    column->addStretch(1);
+    layOutColumn(
+        m_cards, {12, 8, 12, 8}, 8,
+        {m_beforeCaption, m_before, BoxPart::space(8), m_afterCaption, m_after, BoxPart::rest()});
     return m_cards;
 }
 

@@ -31,4 +31,15 @@ namespace cradle {
     return knownPath(QString(), kind, name).mid(1);
 }
 
+/// Mistakes, then remarks.
+[[nodiscard]] inline QStringList knownPrograms(const LabFiles &files, const QString &step)
+{
+    QStringList programs;
+    for (const KnownKind kind : {KnownKind::Mistake, KnownKind::Remark}) {
+        for (const QString &name : knownNames(files, step, kind))
+            programs.append(fileOfProgram(kind, name));
+    }
+    return programs;
+}
+
 } // namespace cradle

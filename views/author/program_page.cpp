@@ -10,12 +10,12 @@
 #include "views/author/program_files.h"
 #include "views/author/remark_editor.h"
 #include "views/author/text_languages.h"
+#include "views/boxes.h"
 #include "views/code/code_editor.h"
 #include "views/fitted_tabs.h"
 #include "views/markdown_view.h"
 #include "views/on_change.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
@@ -51,17 +51,9 @@ void ProgramPage::makeLayout()
     m_below->addTab(makeMessage(), QString());
     m_below->addTab(makeRecognition(), QString());
     new FittedTabs(*m_below->tabBar());
-    m_splitter = new QSplitter(Qt::Vertical, this);
-    m_splitter->addWidget(m_editor);
-    m_splitter->addWidget(m_below);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setStretchFactor(0, 1);
-    m_splitter->setSizes({340, 250});
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_note);
-    column->addWidget(m_splitter, 1);
+    QSplitter *splitter = makeSplitter(Qt::Vertical, {m_editor, m_below}, {340, 250});
+    splitter->setStretchFactor(0, 1);
+    layOutColumn(this, {}, 0, {m_note, {splitter, 1}});
 }
 
 QWidget *ProgramPage::makeMessage()
@@ -72,15 +64,8 @@ QWidget *ProgramPage::makeMessage()
     m_translation = new MarkdownEditor(page);
     m_translation->setObjectName(QStringLiteral("translation"));
     m_message = new MarkdownView(page);
-    auto *texts = new QHBoxLayout;
-    texts->setSpacing(0);
-    texts->addWidget(m_translation, 1);
-    texts->addWidget(m_message, 1);
-    auto *column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_messageNote);
-    column->addLayout(texts, 1);
+    auto *texts = makeRow({}, 0, {{m_translation, 1}, {m_message, 1}});
+    layOutColumn(page, {}, 0, {m_messageNote, {texts, 1}});
     return page;
 }
 

@@ -9,7 +9,6 @@
 
 QT_BEGIN_NAMESPACE
 class QLabel;
-class QSplitter;
 class QTabWidget;
 QT_END_NAMESPACE
 
@@ -52,7 +51,6 @@ private:
 
     AuthorDocument &m_document;
     QLabel *m_note = nullptr; ///< about the program shown
-    QSplitter *m_splitter = nullptr;
     CodeEditor *m_editor = nullptr;
     QTabWidget *m_below = nullptr;
     QLabel *m_messageNote = nullptr;

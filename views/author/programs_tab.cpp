@@ -95,10 +95,7 @@ void ProgramsTab::fillList()
             programs.append(translated);
     }
     programs.append(QStringLiteral("solution.lua"));
-    for (const KnownKind kind : {KnownKind::Mistake, KnownKind::Remark}) {
-        for (const QString &name : knownNames(files, step, kind))
-            programs.append(fileOfProgram(kind, name));
-    }
+    programs.append(knownPrograms(files, step));
     if (!programs.contains(m_program))
         m_program = QStringLiteral("solution.lua");
     m_loading = true;

@@ -3,6 +3,7 @@
 #include "views/author/proof_rows.h"
 
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
 #include "views/theme.h"
 
 #include <QLabel>
@@ -51,9 +52,7 @@ void ProofRows::addHeading(const QString &text)
 QPushButton *ProofRows::addRow(const QString &text, bool warning, const QString &action)
 {
     auto *row = new QWidget(widget());
-    auto *line = new QHBoxLayout(row);
-    line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(8);
+    auto *line = layOutRow(row, {}, 8);
     auto *label = new QLabel(text, row);
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);

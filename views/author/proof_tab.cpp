@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/proof_tab.h"
 
+#include "views/author/form_rows.h"
 #include "views/author/proof_matrix.h"
 #include "views/author/proof_rows.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -39,14 +40,9 @@ void ProofTab::makeLayout()
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(140);
     setKind(m_verifyStep, "primary");
-    auto *top = new QHBoxLayout;
-    top->setContentsMargins(12, 8, 12, 8);
-    top->setSpacing(8);
-    for (QPushButton *button : {m_verifyStep, m_verifyAll, m_suggest})
-        top->addWidget(button);
-    top->addStretch(1);
-    top->addWidget(m_progress);
-    top->addWidget(m_stop);
+    auto *top =
+        makeRow({12, 8, 12, 8}, 8,
+                {m_verifyStep, m_verifyAll, m_suggest, BoxPart::rest(), m_progress, m_stop});
     m_summary = new QLabel(this);
     m_summary->setWordWrap(true);
     m_summary->setContentsMargins(12, 0, 12, 6);
@@ -67,20 +63,8 @@ void ProofTab::makeLayout()
     setKind(m_empty, "muted");
     m_matrix = new ProofMatrix(this);
     m_rows = new ProofRows(this);
-    auto *splitter = new QSplitter(Qt::Vertical, this);
-    splitter->addWidget(m_matrix);
-    splitter->addWidget(m_rows);
-    splitter->setChildrenCollapsible(false);
-    splitter->setSizes({320, 220});
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(top);
-    column->addWidget(m_summary);
-    column->addWidget(m_others);
-    column->addWidget(m_stale);
-    column->addWidget(m_empty, 1);
-    column->addWidget(splitter, 1);
+    QSplitter *splitter = makeSplitter(Qt::Vertical, {m_matrix, m_rows}, {320, 220});
+    layOutColumn(this, {}, 0, {top, m_summary, m_others, m_stale, {m_empty, 1}, {splitter, 1}});
 }
 
 void ProofTab::wire()
@@ -264,13 +248,16 @@ QString ProofTab::summaryOf(const VerifiedTask &verified) const
 
 void ProofTab::showRows()
 {
+    const VerifiedTask *verified = result();
     m_rows->clear();
     if (m_suggestedLast)
         showSuggestions();
-    showFindings();
+    if (verified)
+        showFindings(tr("Findings"), verified->findings, true);
     if (!m_suggestedLast)
         showSuggestions();
-    showWarnings();
+    if (verified) // what may well be so, and yet deserves a look
+        showFindings(tr("Worth a look"), verified->warnings, false);
     m_rows->setVisible(!m_rows->isEmpty());
 }
 

@@ -57,10 +57,10 @@ private:
     void showSummary();
     void showOthers();
     void showRows();
+    /// \param wrong  else they are only worth a look
+    void showFindings(const QString &heading, const std::vector<LabFinding> &findings, bool wrong);
     void addFinding(const LabFinding &finding, bool wrong);
     void addSuggestion(const Suggestion &suggestion);
-    void showFindings();
-    void showWarnings();
     [[nodiscard]] QString summaryOf(const VerifiedTask &verified) const;
     [[nodiscard]] int missingChecks() const; ///< suggestions that pass every check
     void showSuggestions();

@@ -69,25 +69,14 @@ void ProofTab::showOthers()
     m_others->setVisible(!links.isEmpty() || (allRight && number > 1));
 }
 
-void ProofTab::showFindings()
+void ProofTab::showFindings(const QString &heading, const std::vector<LabFinding> &findings,
+                            bool wrong)
 {
-    const VerifiedTask *verified = result();
-    if (!verified || verified->findings.empty())
+    if (findings.empty())
         return;
-    m_rows->addHeading(tr("Findings"));
-    for (const LabFinding &finding : verified->findings)
-        addFinding(finding, true);
-}
-
-/// What may well be so, and yet deserves a look.
-void ProofTab::showWarnings()
-{
-    const VerifiedTask *verified = result();
-    if (!verified || verified->warnings.empty())
-        return;
-    m_rows->addHeading(tr("Worth a look"));
-    for (const LabFinding &warning : verified->warnings)
-        addFinding(warning, false);
+    m_rows->addHeading(heading);
+    for (const LabFinding &finding : findings)
+        addFinding(finding, wrong);
 }
 
 void ProofTab::showSuggestions()
@@ -104,34 +93,28 @@ void ProofTab::showSuggestions()
                        false, {});
 }
 
-/// \param wrong  else it is only worth a look
 void ProofTab::addFinding(const LabFinding &finding, bool wrong)
 {
+    using Kind = LabFinding::Kind;
     QString text = finding.message;
     if (!finding.program.isEmpty() && !text.startsWith(finding.program))
         text = QStringLiteral("%1: %2").arg(finding.program, text);
-    if (outcomeOf(finding)) {
-        QPushButton *button = m_rows->addRow(text, wrong, tr("Show the run"));
-        connect(button, &QPushButton::clicked, this, [this, finding] { showRun(finding); });
-    } else if (!finding.program.isEmpty()) {
-        const bool scene = finding.program == QLatin1String("solution-preset");
-        QPushButton *button =
-            m_rows->addRow(text, wrong, scene ? tr("Open the scene") : tr("Open the program"));
-        connect(button, &QPushButton::clicked, this,
-                [this, finding] { emit programRequested(finding.program); });
-    } else if (!finding.check.isEmpty()) {
-        QPushButton *button = m_rows->addRow(text, wrong, tr("Open the check"));
-        connect(button, &QPushButton::clicked, this,
-                [this, finding] { emit checkRequested(finding.check); });
-    } else if (finding.kind == LabFinding::Kind::TextUnfinished
-               || finding.kind == LabFinding::Kind::QuestionEndless
-               || finding.kind == LabFinding::Kind::ValueFails) {
+    const auto add = [&](const QString &action, const auto &go) {
+        connect(m_rows->addRow(text, wrong, action), &QPushButton::clicked, this, go);
+    };
+    if (outcomeOf(finding))
+        add(tr("Show the run"), [this, finding] { showRun(finding); });
+    else if (!finding.program.isEmpty())
+        add(finding.program == QLatin1String("solution-preset") ? tr("Open the scene")
+                                                                : tr("Open the program"),
+            [this, finding] { emit programRequested(finding.program); });
+    else if (!finding.check.isEmpty())
+        add(tr("Open the check"), [this, finding] { emit checkRequested(finding.check); });
+    else if (finding.kind == Kind::TextUnfinished || finding.kind == Kind::QuestionEndless
+             || finding.kind == Kind::ValueFails)
         m_rows->addRow(text, wrong, {});
-    } else {
-        QPushButton *button = m_rows->addRow(text, wrong, tr("Open the programs"));
-        connect(button, &QPushButton::clicked, this,
-                [this] { emit programRequested(QStringLiteral("solution")); });
-    }
+    else
+        add(tr("Open the programs"), [this] { emit programRequested(QStringLiteral("solution")); });
 }
 
 void ProofTab::showRun(const LabFinding &finding)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/questions_editor.h"
 
-#include "model/files/expression.h"
 #include "model/world/shortest_number.h"
 #include "tasks/questions/answers.h"
 #include "tasks/questions/question_json.h"
@@ -25,16 +24,6 @@ using namespace questions;
 namespace {
 
 using Kind = Question::Kind;
-
-/// Whether what is typed says the same in other words: "2." while it becomes "2.5".
-bool isSame(const QString &typed, const QString &text, bool isNumber)
-{
-    if (typed.trimmed() == text.trimmed())
-        return true;
-    const Result<double> a = evaluated(typed);
-    const Result<double> b = evaluated(text);
-    return isNumber && a && b && *a == *b;
-}
 
 /// As the student with those values finds it.
 Question withValuesPut(const Question &question, const Values &values)
@@ -143,17 +132,10 @@ void QuestionsEditor::showLines()
 {
     for (int i = 0; i < LineCount; ++i) {
         const Line line = static_cast<Line>(i);
-        QLineEdit *edit = m_lines[i];
-        const QString value = valueText(line);
-        const RefusedTexts::Text *refused = m_texts.find(edit->objectName(), value);
-        const QString text = refused ? refused->typed : value;
-        if (!isSame(edit->text(), text, line == Points || line == Number || line == Tolerance))
-            edit->setText(text);
-        markRefused(edit, refused != nullptr);
-        m_captions[i]->setVisible(isShown(line));
-        edit->setVisible(isShown(line));
+        m_texts.show(m_lines[i], valueText(line),
+                     line == Points || line == Number || line == Tolerance);
+        showField(m_lines[i], isShown(line));
     }
-    showRefusal(m_refusal, m_texts.reason());
 }
 
 void QuestionsEditor::showAnswers()

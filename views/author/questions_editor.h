@@ -12,7 +12,6 @@
 
 QT_BEGIN_NAMESPACE
 class QComboBox;
-class QFormLayout;
 class QLabel;
 class QLineEdit;
 QT_END_NAMESPACE
@@ -84,17 +83,12 @@ private:
     RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_form = nullptr;
-    QFormLayout *m_rows = nullptr;
-    QLabel *m_kindCaption = nullptr;
     QComboBox *m_kind = nullptr;
-    QLabel *m_captions[LineCount]{};
     QLineEdit *m_lines[LineCount]{};
-    QLabel *m_textCaption = nullptr;
     MarkdownEditor *m_text = nullptr;
     QWidget *m_answersPart = nullptr;
     QLabel *m_answersCaption = nullptr;
     RowsList *m_answers = nullptr;
-    QLabel *m_refusal = nullptr;
     QLabel *m_cardCaption = nullptr;
     QuestionsCard *m_card = nullptr;
 };

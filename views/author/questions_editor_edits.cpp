@@ -140,14 +140,9 @@ void QuestionsEditor::takeLine(Line line)
     const Question before = current();
     const QString value = valueText(line);
     const QString reason = takeText(line, edit->text().trimmed());
-    if (!reason.isEmpty())
-        m_texts.keep(edit->objectName(), {edit->text(), value, reason});
-    else
-        m_texts.drop(edit->objectName());
+    m_texts.judge(edit, value, reason);
     if (line == Id && reason.isEmpty())
         m_texts.rename(m_step + QLatin1Char('/') + current().id);
-    markRefused(edit, !reason.isEmpty());
-    showRefusal(m_refusal, m_texts.reason());
     if (!(current() == before))
         tell(edit->objectName());
 }

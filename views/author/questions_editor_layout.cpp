@@ -6,6 +6,7 @@
 #include "views/author/markdown_editor.h"
 #include "views/author/question_bounds.h"
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 #include "views/task_pane/questions_card.h"
 
@@ -62,39 +63,24 @@ QWidget *QuestionsEditor::makeForm()
     const char *const names[] = {"questionTitle",  "questionId",        "questionPoints",
                                  "questionNumber", "questionTolerance", "questionUnit"};
     for (int i = 0; i < LineCount; ++i) {
-        m_captions[i] = new QLabel(m_form);
         m_lines[i] = new QLineEdit(m_form);
         m_lines[i]->setObjectName(QLatin1String(names[i]));
-        m_captions[i]->setBuddy(m_lines[i]);
     }
     m_lines[Title]->setMaxLength(200); // as in task.schema.json
-    m_textCaption = new QLabel(m_form);
+    m_lines[Points]->setPlaceholderText(QStringLiteral("1"));
+    m_lines[Tolerance]->setPlaceholderText(QStringLiteral("0"));
     m_text = makeTextField(QStringLiteral("questionText"), textHeight, m_form);
-    m_textCaption->setBuddy(m_text);
-    m_kindCaption = new QLabel(m_form);
-    m_kindCaption->setBuddy(m_kind);
-    m_rows = makeFormRows();
-    m_rows->addRow(m_kindCaption, m_kind);
-    m_rows->addRow(m_captions[Title], m_lines[Title]);
-    m_rows->addRow(m_textCaption, m_text);
-    for (const Line line : {Number, Unit, Tolerance})
-        m_rows->addRow(m_captions[line], m_lines[line]);
-    auto *column = new QVBoxLayout(m_form);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
-    column->addLayout(m_rows);
-    column->addWidget(makeAnswers());
+    QFormLayout *rows = makeFormRows();
+    for (QWidget *field : std::initializer_list<QWidget *>{
+             m_kind, m_lines[Title], m_text, m_lines[Number], m_lines[Unit], m_lines[Tolerance]})
+        addField(rows, field);
+    auto *column = layOutColumn(m_form, {}, 8, {rows, makeAnswers()});
     auto *foot = makeFormRows();
-    foot->addRow(m_captions[Points], m_lines[Points]);
-    foot->addRow(m_captions[Id], m_lines[Id]);
+    addField(foot, m_lines[Points]);
+    addField(foot, m_lines[Id]);
     column->addLayout(foot);
-    m_refusal = makeRefusal(m_form);
-    column->addWidget(m_refusal);
-    auto *both = new QVBoxLayout(side);
-    both->setContentsMargins(12, 8, 12, 8);
-    both->addWidget(m_empty);
-    both->addWidget(m_form);
-    both->addStretch(1);
+    column->addWidget(makeRefusal(m_texts, m_form));
+    layOutColumn(side, {12, 8, 12, 8}, -1, {m_empty, m_form, BoxPart::rest()});
     return side;
 }
 
@@ -111,11 +97,7 @@ QWidget *QuestionsEditor::makeAnswers()
     top->addWidget(m_answersCaption, 1);
     for (const auto each : {RowsList::Up, RowsList::Down, RowsList::Add, RowsList::Remove})
         top->addWidget(m_answers->button(each), 0, Qt::AlignBottom);
-    auto *column = new QVBoxLayout(m_answersPart);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addLayout(top);
-    column->addWidget(m_answers);
+    layOutColumn(m_answersPart, {}, 4, {top, m_answers});
     return m_answersPart;
 }
 
@@ -125,12 +107,7 @@ QWidget *QuestionsEditor::makeCard(FormulaRenderer *renderer)
     m_cardCaption = makeMutedText(side);
     m_card = new QuestionsCard(renderer, side);
     m_card->setEnabled(false); // to be looked at
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(12, 8, 12, 8);
-    column->setSpacing(8);
-    column->addWidget(m_cardCaption);
-    column->addWidget(m_card);
-    column->addStretch(1);
+    layOutColumn(side, {12, 8, 12, 8}, 8, {m_cardCaption, m_card, BoxPart::rest()});
     return side;
 }
 
@@ -151,24 +128,17 @@ void QuestionsEditor::retranslate()
     for (std::size_t i = 0; i < std::size(questions::kinds); ++i)
         m_kind->addItem(names[i], nameOf(questions::kinds[i]));
     m_kind->setCurrentIndex(kind);
-    m_kindCaption->setText(tr("Kind"));
-    m_kind->setAccessibleName(tr("Kind of the question"));
-    const QString captions[] = {tr("Title"),        tr("Id"),        tr("Points"),
-                                tr("Right number"), tr("Tolerance"), tr("Unit")};
-    for (int i = 0; i < LineCount; ++i) {
-        m_captions[i]->setText(captions[i]);
-        m_lines[i]->setAccessibleName(captions[i]);
-    }
-    m_lines[Title]->setToolTip(tr("Reports name the question by it"));
-    m_lines[Points]->setPlaceholderText(QStringLiteral("1"));
-    m_lines[Points]->setToolTip(tr("What a right answer is worth; of a text, what you may give"));
-    m_lines[Number]->setToolTip(tr("A number, or an expression like 2*9.81*5"));
-    m_lines[Tolerance]->setPlaceholderText(QStringLiteral("0"));
-    m_lines[Tolerance]->setToolTip(tr("How far off is still right, in the unit"));
-    m_lines[Unit]->setToolTip(tr("Such as m/s, kg m/s, N s, J, ° or %; answers in other units of "
-                                 "the same kind are converted"));
-    m_textCaption->setText(tr("What is asked"));
-    m_text->setAccessibleName(tr("What is asked"));
+    nameField(m_kind, tr("Kind"), {}, tr("Kind of the question"));
+    nameField(m_lines[Title], tr("Title"), tr("Reports name the question by it"));
+    nameField(m_lines[Id], tr("Id"));
+    nameField(m_lines[Points], tr("Points"),
+              tr("What a right answer is worth; of a text, what you may give"));
+    nameField(m_lines[Number], tr("Right number"), tr("A number, or an expression like 2*9.81*5"));
+    nameField(m_lines[Tolerance], tr("Tolerance"), tr("How far off is still right, in the unit"));
+    nameField(m_lines[Unit], tr("Unit"),
+              tr("Such as m/s, kg m/s, N s, J, ° or %; answers in other units of the same kind "
+                 "are converted"));
+    nameField(m_text, tr("What is asked"));
     m_answers->setAccessibleName(tr("Answers"));
     m_answers->nameButton(RowsList::Add, tr("Add an answer"));
     m_answers->nameButton(RowsList::Remove, tr("Remove the answer"));

@@ -3,15 +3,20 @@
 #pragma once
 
 #include <QMap>
-#include <QString>
+#include <QObject>
 #include <QStringList>
+
+QT_BEGIN_NAMESPACE
+class QLineEdit;
+QT_END_NAMESPACE
 
 namespace cradle {
 
 /// What was typed into the fields of a form and is no value. It stays there to be mended, with the
 /// reason, whatever else is edited and wherever the author goes meanwhile.
-class RefusedTexts
+class RefusedTexts final : public QObject
 {
+    Q_OBJECT
 public:
     struct Text {
         QString typed;
@@ -20,55 +25,33 @@ public:
     };
 
     /// What the fields belong to, as "STEP/CHECK"; every text is that of one subject.
-    void setSubject(const QString &subject) { m_subject = subject + QLatin1Char('\n'); }
-    void keep(const QString &field, const Text &text) { m_texts.insert(m_subject + field, text); }
-    void drop(const QString &field) { m_texts.remove(m_subject + field); }
-
+    void setSubject(const QString &subject);
+    /// The subject is called otherwise from now on.
+    void rename(const QString &subject);
+    void keep(const QString &field, const Text &text);
+    void drop(const QString &field);
     /// The text that \p field is to show in place of \p value; nullptr if there is none, or if the
     /// value was changed since, by an undo perhaps.
-    [[nodiscard]] const Text *find(const QString &field, const QString &value)
-    {
-        const auto found = m_texts.find(m_subject + field);
-        if (found == m_texts.end())
-            return nullptr;
-        if (found->value == value)
-            return &*found;
-        m_texts.erase(found);
-        return nullptr;
-    }
+    [[nodiscard]] const Text *find(const QString &field, const QString &value);
+
+    /// Shows \p value in a line, which is called by its object's name, or what find() says in its
+    /// place; marks the line if that is no value.
+    /// \param isNumber  the same number in other words stays: "2." while it becomes "2.5"
+    void show(QLineEdit *line, const QString &value, bool isNumber = false);
+    /// Keeps what is typed in a line in place of \p value, and marks the line; drops it if there is
+    /// no \p reason why it is no value.
+    void judge(QLineEdit *line, const QString &value, const QString &reason);
 
     /// Why the subject's first text is no value; empty if it has none.
-    [[nodiscard]] QString reason() const
-    {
-        for (auto it = m_texts.lowerBound(m_subject);
-             it != m_texts.end() && it.key().startsWith(m_subject); ++it) {
-            if (!it->reason.isEmpty())
-                return it->reason;
-        }
-        return {};
-    }
+    [[nodiscard]] QString reason() const;
     /// All subjects that have such texts.
-    [[nodiscard]] QStringList subjects() const
-    {
-        QStringList subjects;
-        for (auto it = m_texts.keyBegin(); it != m_texts.keyEnd(); ++it)
-            subjects.append(it->section(QLatin1Char('\n'), 0, 0));
-        subjects.removeDuplicates();
-        return subjects;
-    }
-    /// The subject is called otherwise from now on.
-    void rename(const QString &subject)
-    {
-        const QMap<QString, Text> texts = m_texts;
-        for (auto it = texts.begin(); it != texts.end(); ++it) {
-            if (!it.key().startsWith(m_subject))
-                continue;
-            m_texts.remove(it.key());
-            m_texts.insert(subject + QLatin1Char('\n') + it.key().mid(m_subject.size()), *it);
-        }
-        setSubject(subject);
-    }
-    void clear() { m_texts.clear(); }
+    [[nodiscard]] QStringList subjects() const;
+
+public slots:
+    void clear();
+
+signals:
+    void changed(); ///< the texts, or the subject
 
 private:
     QString m_subject{};

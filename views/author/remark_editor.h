@@ -40,12 +40,9 @@ private:
     QString m_step; ///< of the remark
     RefusedTexts m_texts;
     QLabel *m_purpose = nullptr;
-    QLabel *m_compareCaption = nullptr;
     QComboBox *m_compare = nullptr;
-    QLabel *m_circlesCaption = nullptr;
     CirclesLine *m_circles = nullptr;
     SceneForm *m_scene = nullptr;
-    QLabel *m_refusal = nullptr;
 };
 
 } // namespace cradle

@@ -3,6 +3,7 @@
 #include "views/author/rows_list.h"
 
 #include "views/author/tool_buttons.h"
+#include "views/boxes.h"
 #include "views/theme.h"
 
 #include <QKeyEvent>
@@ -97,20 +98,12 @@ void RowsList::followRow()
 
 QBoxLayout *RowsList::underHeading(QLabel *heading)
 {
-    auto *row = new QHBoxLayout;
-    row->setContentsMargins(12, 6, 6, 4);
-    row->setSpacing(0);
-    row->addWidget(heading, 1);
+    auto *row = makeRow({12, 6, 6, 4}, 0, {{heading, 1}});
     for (const Button each : {Up, Down, Add, Duplicate, Rename, Remove}) {
         if (m_buttons[each])
             row->addWidget(m_buttons[each]);
     }
-    auto *column = new QVBoxLayout;
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(row);
-    column->addWidget(this, 1);
-    return column;
+    return makeColumn({}, 0, {row, {this, 1}});
 }
 
 void RowsList::wrapRows()

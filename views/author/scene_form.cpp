@@ -6,6 +6,7 @@
 #include "tasks/runs/scene_spec.h"
 #include "views/author/form_rows.h"
 #include "views/author/parameter_form.h"
+#include "views/boxes.h"
 #include "views/choice_box.h"
 #include "views/on_change.h"
 
@@ -17,36 +18,27 @@ namespace cradle {
 
 SceneForm::SceneForm(RefusedTexts &texts, QWidget *parent)
     : QWidget(parent)
-    , m_caption(new QLabel(this))
     , m_kind(new ChoiceBox(this))
     , m_purpose(makeMutedText(this))
     , m_values(new ParameterForm(texts, QStringLiteral("scene"), this))
 {
     m_kind->setObjectName(QStringLiteral("sceneKind"));
     m_kind->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
-    m_caption->setBuddy(m_kind);
-    m_caption->setMinimumWidth(m_values->captionWidth());
     QFormLayout *top = makeFormRows();
-    top->addRow(m_caption, m_kind);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
-    column->addLayout(top);
-    column->addWidget(m_purpose);
-    column->addWidget(m_values);
+    addField(top, m_kind)->setMinimumWidth(m_values->captionWidth());
+    layOutColumn(this, {}, 8, {top, m_purpose, m_values});
     retranslate();
     connect(m_kind, &QComboBox::activated, this, [this] {
         const QString kind = m_kind->currentData().toString();
         if (kind == m_scene.value(QStringLiteral("kind")).toString())
             return;
         showScene({{QStringLiteral("kind"), kind}});
-        emit kindEdited(m_scene);
+        emit edited(m_scene, QStringLiteral("scene"));
     });
     connect(m_values, &ParameterForm::edited, this, [this](const QJsonObject &values) {
         m_scene = values;
-        emit valuesEdited(m_scene);
+        emit edited(m_scene, QStringLiteral("sceneParameters"));
     });
-    connect(m_values, &ParameterForm::refusalsChanged, this, &SceneForm::refusalsChanged);
     onChange(this, {QEvent::LanguageChange}, [this] {
         retranslate();
         showScene(m_scene);
@@ -78,8 +70,7 @@ void SceneForm::setReadOnly(bool readOnly)
 
 void SceneForm::retranslate()
 {
-    m_caption->setText(tr("Kind"));
-    m_kind->setAccessibleName(tr("Kind of the scenes"));
+    nameField(m_kind, tr("Kind"), {}, tr("Kind of the scenes"));
     fillKindList(m_kind, sceneKinds());
 }
 

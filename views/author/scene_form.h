@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/author/refused_texts.h"
-
 #include <QJsonObject>
 #include <QWidget>
 
@@ -15,6 +13,7 @@ QT_END_NAMESPACE
 namespace cradle {
 
 class ParameterForm;
+class RefusedTexts;
 
 /// In which scenes a check or a remark looks: a kind of the catalogue with its parameters.
 class SceneForm final : public QWidget
@@ -30,15 +29,13 @@ public:
     [[nodiscard]] int captionWidth() const;
 
 signals:
-    void kindEdited(const QJsonObject &scene);
-    void valuesEdited(const QJsonObject &scene);
-    void refusalsChanged();
+    /// \param field  "scene" if it is another kind, "sceneParameters" else
+    void edited(const QJsonObject &scene, const QString &field);
 
 private:
     void retranslate();
 
     QJsonObject m_scene;
-    QLabel *m_caption = nullptr;
     QComboBox *m_kind = nullptr;
     QLabel *m_purpose = nullptr;
     ParameterForm *m_values = nullptr;

@@ -4,8 +4,9 @@
 
 #include "tasks/script/student_script.h"
 #include "views/author/form_rows.h"
-#include "views/author/item_texts.h"
 #include "views/author/scene_text.h"
+#include "views/boxes.h"
+#include "views/choice_box.h"
 #include "views/error_line.h"
 #include "views/flow_layout.h"
 #include "views/inspector/inspector.h"
@@ -17,7 +18,6 @@
 #include "views/transport_bar.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
@@ -81,10 +81,8 @@ void SceneTab::makeLayout()
     m_asText = new QPushButton(this);
     m_leave = new QPushButton(this);
     m_remove = new QPushButton(this);
-    m_which = new QComboBox(this);
-    m_which->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_mover = new QComboBox(this);
-    m_mover->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_which = new ChoiceBox(this);
+    m_mover = new ChoiceBox(this);
     m_templates = new Menu(m_templateButton);
     m_locks = new Menu(m_lockButton);
     m_templateButton->setMenu(m_templates);
@@ -101,11 +99,7 @@ void SceneTab::makeLayout()
     m_asText->setObjectName(QStringLiteral("asText"));
     setKind(m_leave, "primary");
     m_leave->hide();
-    auto *top = new QHBoxLayout;
-    top->setSpacing(8);
-    top->setContentsMargins(12, 8, 12, 0);
-    top->addLayout(choices, 1);
-    top->addWidget(m_mover, 0, Qt::AlignTop);
+    auto *top = makeRow({12, 8, 12, 0}, 8, {{choices, 1}, {m_mover, 0, Qt::AlignTop}});
     m_mover->setObjectName(QStringLiteral("mover"));
     m_which->setObjectName(QStringLiteral("whichScene"));
 
@@ -115,35 +109,19 @@ void SceneTab::makeLayout()
     m_error = new ErrorLine(this);
     m_error->hide();
     m_timeline = new Timeline(m_simulation, this);
-    m_splitter = new QSplitter(Qt::Horizontal, this);
-    m_splitter->addWidget(m_scene);
-    m_splitter->addWidget(m_inspector);
-    m_text = new SceneText(m_document, m_splitter);
+    m_text = new SceneText(m_document, this);
     m_text->hide();
-    m_splitter->addWidget(m_text);
-    m_splitter->setChildrenCollapsible(false);
+    m_splitter = makeSplitter(Qt::Horizontal, {m_scene, m_inspector, m_text}, {560, 440, 440});
     m_splitter->setStretchFactor(0, 1);
-    m_splitter->setSizes({560, 440, 440});
 
     m_missing = new QWidget(this);
     m_missingText = makeMutedText(m_missing);
     m_make = new QPushButton(m_missing);
-    auto *missing = new QVBoxLayout(m_missing);
-    missing->setContentsMargins(12, 12, 12, 12);
-    missing->setSpacing(8);
-    missing->addWidget(m_missingText);
-    missing->addWidget(m_make, 0, Qt::AlignLeft);
-    missing->addStretch(1);
+    layOutColumn(m_missing, {12, 12, 12, 12}, 8,
+                 {m_missingText, {m_make, 0, Qt::AlignLeft}, BoxPart::rest()});
 
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(top);
-    column->addWidget(m_missing, 1);
-    column->addWidget(m_transport);
-    column->addWidget(m_splitter, 1);
-    column->addWidget(m_error);
-    column->addWidget(m_timeline);
+    layOutColumn(this, {}, 0,
+                 {top, {m_missing, 1}, m_transport, {m_splitter, 1}, m_error, m_timeline});
 }
 
 /// An edit made here comes back as it was; anything else begins the scene anew.
@@ -268,10 +246,10 @@ void SceneTab::retranslate()
                               "with one, the proof looks after it, too."));
     m_make->setText(tr("Make it from what the student finds"));
     const QStringList scenes{tr("What the student finds"), tr("What passes without a program")};
-    setItemTexts(*m_which, scenes);
+    m_which->setTexts(scenes);
     m_which->setAccessibleName(tr("Which scene of the step"));
     const QStringList movers{tr("Moved by the scene's laws"), tr("Moved by solution.lua")};
-    setItemTexts(*m_mover, movers);
+    m_mover->setTexts(movers);
     m_mover->setAccessibleName(tr("What moves the circles here"));
     fillTemplates();
     showLocks();

@@ -13,7 +13,6 @@
 #include <memory>
 
 QT_BEGIN_NAMESPACE
-class QComboBox;
 class QLabel;
 class QPushButton;
 class QSplitter;
@@ -21,6 +20,7 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
+class ChoiceBox;
 class ErrorLine;
 class Inspector;
 class Menu;
@@ -97,8 +97,8 @@ private:
     QPushButton *m_asText = nullptr; ///< checked: the text stands in place of the inspector
     QPushButton *m_leave = nullptr;  ///< a visit
     QPushButton *m_remove = nullptr; ///< the scene that passes
-    QComboBox *m_which = nullptr;    ///< of the step's two scenes
-    QComboBox *m_mover = nullptr;
+    ChoiceBox *m_which = nullptr;    ///< of the step's two scenes
+    ChoiceBox *m_mover = nullptr;
     QWidget *m_missing = nullptr; ///< shown while there is no such scene
     QLabel *m_missingText = nullptr;
     QPushButton *m_make = nullptr;

@@ -5,9 +5,8 @@
 #include "tasks/script/student_script.h"
 #include "tasks/values/lab_values.h"
 #include "tasks/values/put_values.h"
+#include "views/choice_box.h"
 #include "views/error_line.h"
-
-#include <QComboBox>
 
 namespace cradle {
 

@@ -3,12 +3,12 @@
 #include "views/author/scene_text.h"
 
 #include "views/author/form_rows.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
-#include "views/theme.h"
 
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QVBoxLayout>
+#include <QSignalBlocker>
 
 namespace cradle {
 
@@ -21,28 +21,15 @@ const QString textField = QStringLiteral("text");
 SceneText::SceneText(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
-    , m_reason(new QLabel(this))
     , m_note(makeMutedText(this))
-    , m_text(new QPlainTextEdit(this))
+    , m_text(makeFileText(QStringLiteral("sceneText"), this))
 {
-    m_reason->setWordWrap(true);
-    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_reason->setObjectName(QStringLiteral("sceneTextReason"));
-    setKind(m_reason, "warning");
-    m_text->setFont(codeFont()); // first: a style sheet remembers what it was before
-    setKind(m_text, "field");
-    m_text->setObjectName(QStringLiteral("sceneText"));
-    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    QLabel *reason = makeRefusal(m_texts, this);
+    reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    reason->setObjectName(QStringLiteral("sceneTextReason"));
     m_text->setLayoutDirection(Qt::LeftToRight);
-    m_text->setUndoRedoEnabled(false); // undo is the lab's
-    m_text->setTabChangesFocus(true);
     setFocusProxy(m_text);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 8, 12, 8);
-    column->setSpacing(8);
-    column->addWidget(m_note);
-    column->addWidget(m_text, 1);
-    column->addWidget(m_reason);
+    layOutColumn(this, {12, 8, 12, 8}, 8, {m_note, {m_text, 1}, reason});
     keepTranslated(this, &SceneText::retranslate);
     connect(m_text, &QPlainTextEdit::textChanged, this, &SceneText::takeText);
 }
@@ -58,16 +45,14 @@ void SceneText::showScene(StepPreset which)
     const RefusedTexts::Text *refused = m_texts.find(textField, written);
     const QString text = refused ? refused->typed : written;
     if (m_text->toPlainText() != text) {
-        m_loading = true;
+        const QSignalBlocker blocker(m_text);
         m_text->setPlainText(text);
-        m_loading = false;
     }
-    showReason();
 }
 
 void SceneText::takeText()
 {
-    if (m_loading || m_path.isEmpty())
+    if (m_path.isEmpty())
         return;
     const LabFiles files = withText(m_document.files(), m_path, m_text->toPlainText());
     const Result<Preset> scene = presetOf(files, m_document.step(), m_which);
@@ -75,19 +60,10 @@ void SceneText::takeText()
         m_texts.keep(textField, {.typed = m_text->toPlainText(),
                                  .value = textOf(m_document.files(), m_path),
                                  .reason = scene.error().toString()});
-        showReason();
         return;
     }
     m_texts.drop(textField);
-    showReason();
     m_document.edit(tr("Write the scene"), files, QStringLiteral("sceneText:") + m_path);
-}
-
-void SceneText::showReason()
-{
-    const QString reason = m_texts.reason();
-    m_reason->setText(reason);
-    m_reason->setVisible(!reason.isEmpty());
 }
 
 void SceneText::retranslate()

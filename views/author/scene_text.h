@@ -31,15 +31,12 @@ public:
 
 private:
     void takeText();
-    void showReason();
     void retranslate();
 
     AuthorDocument &m_document;
     StepPreset m_which = StepPreset::Start;
-    QString m_path; ///< of the file that is shown
-    bool m_loading = false;
+    QString m_path;       ///< of the file that is shown
     RefusedTexts m_texts; ///< by the paths of files
-    QLabel *m_reason = nullptr;
     QLabel *m_note = nullptr;
     QPlainTextEdit *m_text = nullptr;
 };

@@ -3,13 +3,14 @@
 #include "views/author/step_fields.h"
 
 #include "tasks/authoring/lab_edits.h"
-#include "views/author/item_texts.h"
+#include "views/author/form_rows.h"
+#include "views/boxes.h"
+#include "views/choice_box.h"
 #include "views/on_change.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -27,16 +28,12 @@ constexpr int fieldGap = 8;  ///< px
 StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
-    , m_idCaption(new QLabel(this))
     , m_id(new QLineEdit(this))
-    , m_titleCaption(new QLabel(this))
     , m_title(new QLineEdit(this))
-    , m_commitCaption(new QLabel(this))
     , m_commit(new QLineEdit(this))
     , m_extra(new QCheckBox(this))
-    , m_moves(new QComboBox(this))
+    , m_moves(new ChoiceBox(this))
 {
-    m_moves->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_moves->setObjectName(QStringLiteral("stepMoves"));
     for (const char *who : {"either", "program", "laws"})
         m_moves->addItem(QString(), QString::fromLatin1(who));
@@ -44,21 +41,8 @@ StepFields::StepFields(AuthorDocument &document, QWidget *parent)
     m_title->setObjectName(QStringLiteral("stepTitle"));
     m_commit->setObjectName(QStringLiteral("stepCommit"));
     m_id->setMaximumWidth(idWidth);
-    m_idCaption->setBuddy(m_id);
-    m_titleCaption->setBuddy(m_title);
-    m_commitCaption->setBuddy(m_commit);
-    m_first = new QHBoxLayout;
-    m_second = new QHBoxLayout;
-    for (QHBoxLayout *each : {m_first, m_second})
-        each->setSpacing(fieldGap);
-    for (QWidget *each : {static_cast<QWidget *>(m_idCaption), static_cast<QWidget *>(m_id),
-                          static_cast<QWidget *>(m_titleCaption)})
-        m_first->addWidget(each);
-    m_first->addWidget(m_title, 1);
-    m_second->addWidget(m_commitCaption);
-    m_second->addWidget(m_commit, 1);
-    m_second->addWidget(m_moves);
-    m_second->addWidget(m_extra);
+    m_first = makeRow({}, fieldGap, {makeCaption(m_id), m_id, makeCaption(m_title), {m_title, 1}});
+    m_second = makeRow({}, fieldGap, {makeCaption(m_commit), {m_commit, 1}, m_moves, m_extra});
     m_rows = new QBoxLayout(QBoxLayout::LeftToRight, this);
     m_rows->setSpacing(fieldGap);
     m_rows->setContentsMargins(12, 8, 12, 8);
@@ -150,18 +134,16 @@ void StepFields::takeFields(const QString &field)
 
 void StepFields::retranslate()
 {
-    m_idCaption->setText(tr("Id"));
-    m_id->setAccessibleName(tr("Id of the step, and its folder"));
-    m_id->setToolTip(tr("Letters, digits, dots and dashes; also the name of the folder"));
-    m_titleCaption->setText(tr("Title"));
-    m_title->setAccessibleName(tr("Title of the step"));
-    m_title->setToolTip(tr("In the language that is open; also in the list of steps (F2)"));
-    m_commitCaption->setText(tr("Commit message"));
-    m_commit->setAccessibleName(tr("Commit message"));
-    m_commit->setToolTip(tr("What a student writes into the history after passing"));
+    nameField(m_id, tr("Id"), tr("Letters, digits, dots and dashes; also the name of the folder"),
+              tr("Id of the step, and its folder"));
+    nameField(m_title, tr("Title"),
+              tr("In the language that is open; also in the list of steps (F2)"),
+              tr("Title of the step"));
+    nameField(m_commit, tr("Commit message"),
+              tr("What a student writes into the history after passing"));
     const QStringList movers{tr("Moved by program or laws"), tr("Moved by a program"),
                              tr("Moved by the laws")};
-    setItemTexts(*m_moves, movers);
+    m_moves->setTexts(movers);
     m_moves->setAccessibleName(tr("Who may move the circles"));
     m_moves->setToolTip(tr("What passes the step: a program of the student, the laws of the scene, "
                            "or either"));

@@ -9,13 +9,13 @@
 QT_BEGIN_NAMESPACE
 class QBoxLayout;
 class QCheckBox;
-class QComboBox;
 class QHBoxLayout;
-class QLabel;
 class QLineEdit;
 QT_END_NAMESPACE
 
 namespace cradle {
+
+class ChoiceBox;
 
 /// The short fields of a step, in a row or, with large texts, in two: its id, title and commit
 /// message, who moves the circles, and whether it counts.
@@ -39,14 +39,11 @@ private:
     void arrange();
 
     AuthorDocument &m_document;
-    QLabel *m_idCaption;
     QLineEdit *m_id;
-    QLabel *m_titleCaption;
     QLineEdit *m_title;
-    QLabel *m_commitCaption;
     QLineEdit *m_commit;
     QCheckBox *m_extra;
-    QComboBox *m_moves;             ///< by the values of "moves"
+    ChoiceBox *m_moves;             ///< by the values of "moves"
     QHBoxLayout *m_first = nullptr; ///< what it is called
     QHBoxLayout *m_second = nullptr;
     QBoxLayout *m_rows = nullptr; ///< of both

@@ -8,11 +8,11 @@
 #include "views/author/findings_list.h"
 #include "views/author/rows_list.h"
 #include "views/author/tool_buttons.h"
+#include "views/boxes.h"
 #include "views/icons.h"
 #include "views/on_change.h"
 #include "views/theme.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
@@ -65,7 +65,7 @@ StepsPanel::StepsPanel(AuthorDocument &document, QWidget *parent)
     connect(m_list, &RowsList::duplicateRequested, this, &StepsPanel::duplicateStep);
     connect(m_list, &RowsList::renameRequested, this, &StepsPanel::renameStep);
     connect(m_list, &RowsList::removeRequested, this, &StepsPanel::removeStep);
-    connect(m_list, &RowsList::moveRequested, this, [this](int from, int to) { move(to - from); });
+    connect(m_list, &RowsList::moveRequested, this, &StepsPanel::move);
     reload();
     markFindings();
 }
@@ -91,16 +91,8 @@ void StepsPanel::makeLayout()
             emit menuRequested(m_list->viewport()->mapToGlobal(at));
     });
     m_findings = new FindingsList(m_document, this);
-    auto *lab = new QHBoxLayout;
-    lab->setContentsMargins(12, 6, 6, 0);
-    lab->addWidget(m_title, 1);
-    lab->addWidget(m_properties, 0, Qt::AlignTop);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(lab);
-    column->addLayout(m_list->underHeading(m_heading), 1);
-    column->addWidget(m_findings);
+    auto *lab = makeRow({12, 6, 6, 0}, -1, {{m_title, 1}, {m_properties, 0, Qt::AlignTop}});
+    layOutColumn(this, {}, 0, {lab, {m_list->underHeading(m_heading), 1}, m_findings});
 }
 
 void StepsPanel::reloadIfNew()
@@ -165,6 +157,119 @@ void StepsPanel::enableButtons()
     m_list->setEditTriggers(writable ? QAbstractItemView::DoubleClicked
                                            | QAbstractItemView::EditKeyPressed
                                      : QAbstractItemView::NoEditTriggers);
+}
+
+void StepsPanel::addStep()
+{
+    const QStringList steps = m_document.steps();
+    const QString name = freeStepName(m_document.files(), QStringLiteral("step"));
+    const auto at = static_cast<int>(steps.indexOf(m_document.step())) + 1;
+    if (m_document.editStep(tr("Add a step"),
+                            withStepAdded(m_document.files(), name, tr("New step"), at), name))
+        renameStep();
+}
+
+void StepsPanel::duplicateStep()
+{
+    const QString name = freeStepName(m_document.files(), m_document.step());
+    m_document.editStep(tr("Duplicate the step"),
+                        withStepDuplicated(m_document.files(), m_document.step(), name), name);
+}
+
+void StepsPanel::removeStep()
+{
+    const QStringList steps = m_document.steps();
+    const auto at = steps.indexOf(m_document.step());
+    if (at < 0)
+        return;
+    const QString next = at + 1 < steps.size() ? steps[at + 1] : steps.value(at - 1);
+    const QStringList foreign = foreignFiles(m_document.files(), m_document.step());
+    const bool done = m_document.editStep(
+        tr("Remove the step"), withStepRemoved(m_document.files(), m_document.step()), next);
+    if (done && !foreign.isEmpty())
+        emit said(
+            tr("Files that the step did not use stay: %1").arg(foreign.join(QStringLiteral(", "))));
+}
+
+void StepsPanel::renameStep()
+{
+    if (QListWidgetItem *item = m_list->currentItem(); item && !m_document.isReadOnly()) {
+        m_loading = true;
+        item->setText(item->data(TitleRole).toString()); // without its number
+        m_loading = false;
+        m_list->setFocus();
+        m_list->editItem(item);
+    }
+}
+
+void StepsPanel::takeTitle(QListWidgetItem *item)
+{
+    if (m_loading)
+        return;
+    const QString step = item->data(FolderRole).toString();
+    const QString number = QStringLiteral("%1 · ").arg(m_list->row(item) + 1);
+    QString title = item->text().trimmed();
+    if (title.startsWith(number))
+        title.remove(0, number.size());
+    if (title.isEmpty())
+        return;
+    // Queued: the list is filled anew by the edit, and its editor is still at work.
+    QMetaObject::invokeMethod(
+        this, [this, step, title] { setTitle(step, title); }, Qt::QueuedConnection);
+}
+
+void StepsPanel::setTitle(const QString &step, const QString &title)
+{
+    Result<TaskForm> form = taskForm(m_document.files(), step, m_document.language());
+    if (!form)
+        return;
+    form->title = title;
+    m_document.edit(tr("Rename the step"),
+                    withTask(m_document.files(), step, *form, m_document.language()));
+}
+
+void StepsPanel::moveUp()
+{
+    move(m_list->currentRow(), m_list->currentRow() - 1);
+}
+
+void StepsPanel::moveDown()
+{
+    move(m_list->currentRow(), m_list->currentRow() + 1);
+}
+
+void StepsPanel::move(int from, int to)
+{
+    const QStringList steps = m_document.steps();
+    if (from >= 0 && from < steps.size() && to >= 0 && to < steps.size())
+        m_document.edit(tr("Move the step"), withStepMoved(m_document.files(), steps[from], to));
+}
+
+void StepsPanel::takeOrder()
+{
+    if (m_loading || m_list->count() != m_document.steps().size())
+        return;
+    const QStringList steps = m_document.steps();
+    QStringList order;
+    for (int i = 0; i < m_list->count(); ++i)
+        order.append(m_list->item(i)->data(FolderRole).toString());
+    if (order == steps)
+        return;
+    // One step was dragged: without it both orders are the same.
+    for (const QString &step : steps) {
+        QStringList rest = steps;
+        QStringList dragged = order;
+        rest.removeAll(step);
+        dragged.removeAll(step);
+        if (rest == dragged) {
+            m_document.editStep(
+                tr("Move the step"),
+                withStepMoved(m_document.files(), step, static_cast<int>(order.indexOf(step))),
+                step);
+            return;
+        }
+    }
+    reload();
 }
 
 void StepsPanel::retranslate()

@@ -50,7 +50,7 @@ private:
     void reloadIfNew();
     void showCurrent();
     void markFindings();
-    void move(int by);
+    void move(int from, int to);
     void takeOrder();                      ///< of the list, after a drag
     void takeTitle(QListWidgetItem *item); ///< after it was edited in place
     void setTitle(const QString &step, const QString &title);

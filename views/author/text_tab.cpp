@@ -3,13 +3,14 @@
 #include "views/author/text_tab.h"
 
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/form_rows.h"
 #include "views/author/hints_list.h"
-#include "views/author/item_texts.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/prediction_editor.h"
 #include "views/author/questions_editor.h"
 #include "views/author/step_fields.h"
 #include "views/author/values_editor.h"
+#include "views/boxes.h"
 #include "views/choice_box.h"
 #include "views/flow_layout.h"
 #include "views/formula_renderer.h"
@@ -19,7 +20,6 @@
 #include "views/theme.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QSplitter>
 
@@ -67,51 +67,31 @@ void TextTab::makeLayout()
     top->addWidget(m_mode);
 
     m_preview = new MarkdownView(this, m_renderer);
-    m_splitter = new QSplitter(Qt::Horizontal, this);
-    m_splitter->addWidget(makeEditorColumn());
     m_student = new InstructionsPane(this, m_renderer);
-    auto *previews = new QWidget(m_splitter);
-    auto *layers = new QVBoxLayout(previews);
-    layers->setContentsMargins(0, 0, 0, 0);
-    layers->addWidget(m_student);
-    layers->addWidget(m_preview);
-    m_splitter->addWidget(previews);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->setSizes({500, 500});
+    auto *previews = new QWidget(this);
+    layOutColumn(previews, {}, -1, {m_student, m_preview});
+    m_splitter = makeSplitter(Qt::Horizontal, {makeEditorColumn(), previews}, {500, 500});
 
     m_prediction = new PredictionEditor(m_renderer, this);
     m_questions = new QuestionsEditor(m_renderer, this);
     m_values = new ValuesEditor(m_document, this);
     m_fields = new StepFields(m_document, this);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addLayout(top);
-    column->addWidget(m_splitter, 1);
-    column->addWidget(m_prediction, 1);
-    column->addWidget(m_questions, 1);
-    column->addWidget(m_values, 1);
-    column->addWidget(m_fields);
+    layOutColumn(
+        this, {}, 0,
+        {top, {m_splitter, 1}, {m_prediction, 1}, {m_questions, 1}, {m_values, 1}, m_fields});
 }
 
 QWidget *TextTab::makeEditorColumn()
 {
-    auto *side = new QWidget(m_splitter);
+    auto *side = new QWidget(this);
     m_hints = new HintsList(side);
     m_editor = new MarkdownEditor(side);
     m_editor->setObjectName(QStringLiteral("markdown"));
     m_unknown = new QPushButton(side);
     m_unknown->setObjectName(QStringLiteral("unknownNames"));
     setKind(m_unknown, "link");
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_hints);
-    column->addWidget(m_editor, 1);
-    auto *foot = new QHBoxLayout;
-    foot->setContentsMargins(8, 0, 8, 0);
-    foot->addWidget(m_unknown, 0, Qt::AlignLeft);
-    column->addLayout(foot);
+    auto *foot = makeRow({8, 0, 8, 0}, -1, {{m_unknown, 0, Qt::AlignLeft}});
+    layOutColumn(side, {}, 0, {m_hints, {m_editor, 1}, foot});
     return side;
 }
 
@@ -161,7 +141,6 @@ void TextTab::reload()
     m_editor->setReadOnly(m_document.isReadOnly());
     m_figure->setEnabled(!m_document.isReadOnly());
     m_hints->setReadOnly(m_document.isReadOnly());
-    m_prediction->setReadOnly(m_document.isReadOnly());
     const bool writes = part() == Instructions || part() == Hints || part() == CodeHints;
     m_splitter->setVisible(writes);
     m_prediction->setVisible(part() == PredictionPart);
@@ -183,7 +162,7 @@ void TextTab::reloadForm()
     if (!form)
         return;
     const QStringList hints = part() == CodeHints ? form->codeHints : form->hints;
-    m_prediction->showPrediction(form->prediction);
+    m_prediction->showPrediction(form->prediction, m_document.isReadOnly());
     m_questions->showQuestions(form->questions, m_document.step(),
                                valuesOf(m_document.files(), m_document.step(), {}),
                                m_document.isReadOnly());
@@ -233,10 +212,9 @@ void TextTab::showUnknown()
 
 void TextTab::retranslate()
 {
-    setItemTexts(*m_part,
-                 {tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
-                  tr("Prediction"), tr("Questions that count"), tr("Values")});
-    setItemTexts(*m_mode, {tr("As seen in Code mode"), tr("As seen in Explore mode")});
+    m_part->setTexts({tr("Instructions"), tr("Hints without a program"), tr("Hints for a program"),
+                      tr("Prediction"), tr("Questions that count"), tr("Values")});
+    m_mode->setTexts({tr("As seen in Code mode"), tr("As seen in Explore mode")});
     m_part->setAccessibleName(tr("Which text"));
     m_mode->setAccessibleName(tr("Mode of the preview"));
     m_figure->setText(tr("Insert the scene as a figure"));
@@ -246,6 +224,7 @@ void TextTab::retranslate()
     m_preview->setAccessibleName(tr("Preview"));
     m_unknown->setToolTip(tr("Names in backticks that neither the scene nor the programs have"));
     showUnknown();
+    reloadText();
 }
 
 } // namespace cradle

@@ -9,13 +9,13 @@
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
-class QComboBox;
 class QPushButton;
 class QSplitter;
 QT_END_NAMESPACE
 
 namespace cradle {
 
+class ChoiceBox;
 class FormulaRenderer;
 class HintsList;
 class InstructionsPane;
@@ -32,6 +32,9 @@ class TextTab final : public QWidget
 {
     Q_OBJECT
 public:
+    /// Which text is written.
+    enum Part { Instructions, Hints, CodeHints, PredictionPart, QuestionsPart, ValuesPart };
+
     explicit TextTab(AuthorDocument &document, QWidget *parent = nullptr);
     ~TextTab() override;
 
@@ -40,12 +43,10 @@ public:
     [[nodiscard]] InstructionsPane &student() { return *m_student; }
     /// Writes the figure \p name of the step's folder into the text, where the cursor is.
     void insertFigure(const QString &name, const QString &description);
-    void openPrediction(); ///< of the step
-    void openQuestions();
+    void open(Part part);
     void openHint(bool ofProgram, int hint);
     void openLine(int line); ///< of the instructions, from 1; 0: none of them
-    void openValues();
-    /// The same, at a value of \p step, or of the lab if that is empty.
+    /// The values, at one of \p step, or of the lab if that is empty.
     void openValue(const QString &step, const QString &name);
     /// Values of which a field holds what is none.
     [[nodiscard]] QStringList refusedValues() const;
@@ -54,9 +55,6 @@ signals:
     void figureRequested(); ///< the author wants the scene as a figure
 
 private:
-    /// Which text is written.
-    enum Part { Instructions, Hints, CodeHints, PredictionPart, QuestionsPart, ValuesPart };
-
     void makeLayout();
     QWidget *makeEditorColumn();
     void wire();
@@ -79,8 +77,8 @@ private:
     PreviewFolder m_pictures;
     FormulaRenderer *m_renderer; ///< of all texts of the tab
     QTimer m_previewTimer;
-    QComboBox *m_part = nullptr;
-    QComboBox *m_mode = nullptr; ///< for whom the preview is
+    ChoiceBox *m_part = nullptr;
+    ChoiceBox *m_mode = nullptr; ///< for whom the preview is
     QPushButton *m_figure = nullptr;
     QSplitter *m_splitter = nullptr;
     HintsList *m_hints = nullptr;

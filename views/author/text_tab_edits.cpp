@@ -6,8 +6,7 @@
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
 #include "views/author/values_editor.h"
-
-#include <QComboBox>
+#include "views/choice_box.h"
 
 namespace cradle {
 
@@ -65,38 +64,29 @@ void TextTab::takeQuestions(const std::vector<Question> &questions, const QStrin
         reload();
 }
 
-void TextTab::openPrediction()
+void TextTab::open(Part part)
 {
-    m_part->setCurrentIndex(PredictionPart);
-}
-
-void TextTab::openQuestions()
-{
-    m_part->setCurrentIndex(QuestionsPart);
+    m_part->setCurrentIndex(part);
+    if (part == ValuesPart)
+        m_values->setFocus();
 }
 
 void TextTab::openHint(bool ofProgram, int hint)
 {
-    m_part->setCurrentIndex(ofProgram ? CodeHints : Hints);
+    open(ofProgram ? CodeHints : Hints);
     m_hints->setCurrent(hint);
     m_editor->setFocus();
 }
 
 void TextTab::openLine(int line)
 {
-    m_part->setCurrentIndex(Instructions);
+    open(Instructions);
     m_editor->goToLine(line);
-}
-
-void TextTab::openValues()
-{
-    m_part->setCurrentIndex(ValuesPart);
-    m_values->setFocus();
 }
 
 void TextTab::openValue(const QString &step, const QString &name)
 {
-    openValues();
+    open(ValuesPart);
     m_values->showValue(step, name);
 }
 
@@ -107,7 +97,7 @@ QStringList TextTab::refusedValues() const
 
 void TextTab::insertFigure(const QString &name, const QString &description)
 {
-    m_part->setCurrentIndex(Instructions);
+    open(Instructions);
     m_editor->insertParagraph(QStringLiteral("![%1](%2)").arg(description, name));
     m_editor->setFocus();
 }

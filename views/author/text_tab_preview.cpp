@@ -6,10 +6,9 @@
 #include "tasks/lab/mode.h"
 #include "tasks/values/put_values.h"
 #include "views/author/markdown_editor.h"
+#include "views/choice_box.h"
 #include "views/markdown_view.h"
 #include "views/task_pane/instructions_pane.h"
-
-#include <QComboBox>
 
 #include <functional>
 #include <utility>

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/values_editor.h"
 
-#include "model/files/expression.h"
 #include "model/world/shortest_number.h"
 #include "tasks/values/lab_values.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
+#include "views/choice_box.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
@@ -21,17 +20,6 @@ namespace {
 
 constexpr int mostValues = 50; ///< as in the schemas
 constexpr int mostShown = 12;  ///< numbers that a text lists
-
-/// Whether what is typed says the same in other words: "2." while it becomes "2.5".
-bool isSame(const QString &typed, const QString &text)
-{
-    if (typed.trimmed() == text.trimmed())
-        return true;
-    bool isNumber = false;
-    (void)text.toDouble(&isNumber); // an expression is what it is written as
-    const Result<double> a = evaluated(typed);
-    return isNumber && a && *a == text.toDouble();
-}
 
 } // namespace
 
@@ -169,15 +157,8 @@ void ValuesEditor::showLines()
 {
     for (int i = 0; i < LineCount; ++i) {
         const Line line = static_cast<Line>(i);
-        QLineEdit *edit = m_lines[i];
-        const QString value = valueText(line);
-        const RefusedTexts::Text *refused = m_texts.find(edit->objectName(), value);
-        const QString text = refused ? refused->typed : value;
-        if (!isSame(edit->text(), text))
-            edit->setText(text);
-        markRefused(edit, refused && !refused->reason.isEmpty());
-        m_captions[i]->setVisible(isShown(line));
-        edit->setVisible(isShown(line));
+        m_texts.show(m_lines[i], valueText(line), line != Name && line != Expression);
+        showField(m_lines[i], isShown(line));
     }
     const QString reason = m_texts.reason();
     showRefusal(m_refusal, reason.isEmpty() ? faultOfValue(m_document.files(), current().step,
@@ -190,13 +171,10 @@ void ValuesEditor::showFacts()
 {
     const bool any = at() >= 0;
     const bool drawn = any && current().value.drawn;
-    const bool draws = drawsValues(m_document.files());
     m_facts->setVisible(any);
-    m_studentCaption->setVisible(drawn);
-    m_student->setVisible(drawn);
+    showField(m_student, drawn);
     m_drawn->setVisible(drawn && !m_student->text().trimmed().isEmpty());
-    m_drawCaption->setVisible(draws);
-    m_draw->setVisible(draws);
+    showField(m_draw, drawsValues(m_document.files()));
     if (!any)
         return;
     const Row &row = current();

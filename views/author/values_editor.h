@@ -9,13 +9,13 @@
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
-class QComboBox;
 class QLabel;
 class QLineEdit;
 QT_END_NAMESPACE
 
 namespace cradle {
 
+class ChoiceBox;
 class RowsList;
 
 /// The named values of the lab and of the open step: a list, the chosen one as a form, and beside
@@ -76,18 +76,13 @@ private:
     RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_form = nullptr;
-    QLabel *m_kindCaption = nullptr;
-    QComboBox *m_kind = nullptr;
-    QLabel *m_placeCaption = nullptr;
-    QComboBox *m_place = nullptr;
-    QLabel *m_captions[LineCount]{};
+    ChoiceBox *m_kind = nullptr;
+    ChoiceBox *m_place = nullptr;
     QLineEdit *m_lines[LineCount]{};
     QLabel *m_refusal = nullptr;
     QLabel *m_facts = nullptr;
-    QLabel *m_studentCaption = nullptr;
     QLineEdit *m_student = nullptr;
     QLabel *m_drawn = nullptr; ///< what that student gets
-    QLabel *m_drawCaption = nullptr;
     QLineEdit *m_draw = nullptr;
 };
 

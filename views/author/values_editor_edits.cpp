@@ -8,8 +8,8 @@
 #include "tasks/values/lab_values.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
+#include "views/choice_box.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 

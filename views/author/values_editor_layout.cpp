@@ -3,8 +3,9 @@
 #include "views/author/values_editor.h"
 
 #include "views/author/form_rows.h"
-#include "views/author/item_texts.h"
 #include "views/author/rows_list.h"
+#include "views/boxes.h"
+#include "views/choice_box.h"
 #include "views/on_change.h"
 
 #include <QComboBox>
@@ -12,7 +13,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace cradle {
 
@@ -55,41 +55,29 @@ QWidget *ValuesEditor::makeForm()
     auto *side = new QWidget;
     m_empty = makeMutedText(side);
     m_form = new QWidget(side);
-    const auto addBox = [this](QFormLayout *rows, QLabel *&caption, QComboBox *&box,
-                               const QString &name) {
-        caption = new QLabel(m_form);
-        box = new QComboBox(m_form);
+    const auto addBox = [this](QFormLayout *rows, const QString &name) {
+        auto *box = new ChoiceBox(m_form);
         box->setObjectName(name);
-        caption->setBuddy(box);
-        rows->addRow(caption, box);
+        addField(rows, box);
+        return box;
     };
     // Made in the order in which Tab reaches them.
     const char *const names[] = {"valueName", "valueExpression", "valueFrom", "valueTo",
                                  "valueStep"};
     QFormLayout *rows = makeFormRows();
     for (int i = 0; i < LineCount; ++i) {
-        m_captions[i] = new QLabel(m_form);
         m_lines[i] = new QLineEdit(m_form);
         m_lines[i]->setObjectName(QLatin1String(names[i]));
         m_lines[i]->setMaxLength(longestValue);
-        m_captions[i]->setBuddy(m_lines[i]);
-        rows->addRow(m_captions[i], m_lines[i]);
+        addField(rows, m_lines[i]);
         if (i == Name)
-            addBox(rows, m_kindCaption, m_kind, QStringLiteral("valueKind"));
+            m_kind = addBox(rows, QStringLiteral("valueKind"));
     }
-    addBox(rows, m_placeCaption, m_place, QStringLiteral("valuePlace"));
+    m_place = addBox(rows, QStringLiteral("valuePlace"));
     m_refusal = makeRefusal(m_form);
     m_refusal->setObjectName(QStringLiteral("valueRefusal"));
-    auto *column = new QVBoxLayout(m_form);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
-    column->addLayout(rows);
-    column->addWidget(m_refusal);
-    auto *both = new QVBoxLayout(side);
-    both->setContentsMargins(12, 8, 12, 8);
-    both->addWidget(m_empty);
-    both->addWidget(m_form);
-    both->addStretch(1);
+    layOutColumn(m_form, {}, 8, {rows, m_refusal});
+    layOutColumn(side, {12, 8, 12, 8}, -1, {m_empty, m_form, BoxPart::rest()});
     return side;
 }
 
@@ -98,28 +86,19 @@ QWidget *ValuesEditor::makeFacts()
     auto *side = new QWidget;
     m_facts = makeMutedText(side);
     m_facts->setObjectName(QStringLiteral("valueFacts"));
-    m_studentCaption = new QLabel(side);
     m_student = new QLineEdit(side);
     m_student->setObjectName(QStringLiteral("valueStudent"));
     m_student->setMaxLength(longestNumber);
-    m_studentCaption->setBuddy(m_student);
     m_drawn = makeMutedText(side);
     m_drawn->setObjectName(QStringLiteral("valueDrawn"));
-    m_drawCaption = new QLabel(side);
     m_draw = new QLineEdit(side);
     m_draw->setObjectName(QStringLiteral("valueDraw"));
     m_draw->setMaxLength(longestDraw);
-    m_drawCaption->setBuddy(m_draw);
     QFormLayout *rows = makeFormRows();
-    rows->addRow(m_studentCaption, m_student);
+    addField(rows, m_student);
     rows->addRow(m_drawn);
-    rows->addRow(m_drawCaption, m_draw);
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(12, 8, 12, 8);
-    column->setSpacing(12);
-    column->addWidget(m_facts);
-    column->addLayout(rows);
-    column->addStretch(1);
+    addField(rows, m_draw);
+    layOutColumn(side, {12, 8, 12, 8}, 12, {m_facts, rows, BoxPart::rest()});
     return side;
 }
 
@@ -132,28 +111,22 @@ void ValuesEditor::retranslate()
     m_empty->setText(tr("No number has a name yet. Add one with the plus, and write it in braces, "
                         "as {{e}}, where texts, programs and checks need it: then it stands in one "
                         "place, and may be another for each student."));
-    setItemTexts(*m_kind, {tr("The same for all"), tr("Drawn for each student")});
-    setItemTexts(*m_place, {tr("In the whole lab"), tr("In this step")});
-    m_kindCaption->setText(tr("Kind"));
-    m_kind->setAccessibleName(tr("Whether the value is drawn"));
-    m_placeCaption->setText(tr("Known"));
-    m_place->setAccessibleName(tr("Where the value is known"));
-    const QString captions[] = {tr("Name"), tr("Value"), tr("From"), tr("To"), tr("Step")};
-    for (int i = 0; i < LineCount; ++i) {
-        m_captions[i]->setText(captions[i]);
-        m_lines[i]->setAccessibleName(captions[i]);
-    }
-    m_lines[Name]->setToolTip(tr("Letters, digits and underscores"));
-    m_lines[Expression]->setToolTip(
-        tr("A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its uses "
-           "want"));
-    m_lines[Step]->setToolTip(tr("From one number to the next"));
-    m_studentCaption->setText(tr("Student number"));
-    m_student->setAccessibleName(tr("Student number to try the draw with"));
-    m_student->setToolTip(tr("To see what that student gets; it is kept nowhere"));
-    m_drawCaption->setText(tr("Draw"));
-    m_draw->setAccessibleName(tr("Draw of the lab"));
-    m_draw->setToolTip(tr("Another text draws other values: change it every year"));
+    m_kind->setTexts({tr("The same for all"), tr("Drawn for each student")});
+    m_place->setTexts({tr("In the whole lab"), tr("In this step")});
+    nameField(m_kind, tr("Kind"), {}, tr("Whether the value is drawn"));
+    nameField(m_place, tr("Known"), {}, tr("Where the value is known"));
+    nameField(m_lines[Name], tr("Name"), tr("Letters, digits and underscores"));
+    nameField(m_lines[Expression], tr("Value"),
+              tr("A number, or an expression like 2*k or sqrt(2*9.81*5), in the unit that its "
+                 "uses want"));
+    nameField(m_lines[From], tr("From"));
+    nameField(m_lines[To], tr("To"));
+    nameField(m_lines[Step], tr("Step"), tr("From one number to the next"));
+    nameField(m_student, tr("Student number"),
+              tr("To see what that student gets; it is kept nowhere"),
+              tr("Student number to try the draw with"));
+    nameField(m_draw, tr("Draw"), tr("Another text draws other values: change it every year"),
+              tr("Draw of the lab"));
 }
 
 } // namespace cradle

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/momentum_chart.h"
 
+#include "views/boxes.h"
 #include "views/charts/quiet_button.h"
 #include "views/theme.h"
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
 
 namespace cradle {
 
@@ -38,9 +38,7 @@ MomentumChart::MomentumChart(const Simulation &simulation, RunCurves &curves, QW
     : ChartPane(simulation, curves, parent)
     , m_selector(new QWidget(this))
 {
-    auto *line = new QHBoxLayout(m_selector);
-    line->setContentsMargins({});
-    line->setSpacing(0);
+    auto *line = layOutRow(m_selector, {}, 0);
     auto *group = new QButtonGroup(this);
     for (const MomentumPart part : {MomentumPart::X, MomentumPart::Y, MomentumPart::Length}) {
         auto *button = new QuietButton;

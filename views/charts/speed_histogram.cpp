@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/charts/speed_histogram.h"
 
+#include "views/boxes.h"
 #include "views/charts/nice_scale.h"
 #include "views/charts/speed_plot.h"
 #include "views/frame_throttle.h"
@@ -11,7 +12,6 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +43,7 @@ SpeedHistogram::SpeedHistogram(const Simulation &simulation, QWidget *parent)
     m_heading->setTextFormat(Qt::PlainText);
     m_heading->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_heading->setContentsMargins(14, 8, 8, 0);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins({});
-    column->setSpacing(0);
-    column->addWidget(m_heading);
-    column->addWidget(m_plot, 1);
-    column->addWidget(m_sentence);
+    layOutColumn(this, {}, 0, {m_heading, {m_plot, 1}, m_sentence});
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
     connect(m_throttle, &FrameThrottle::due, this, &SpeedHistogram::redraw);
