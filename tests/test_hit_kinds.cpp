@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/law_programs.h"
+#include "tests/told_numbers.h"
 
 #include "tasks/judging/condition_words.h"
 
@@ -15,6 +15,8 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void headlineTellsForHowMany_data();
     void headlineTellsForHowMany();
+    void directionIsToldOfTheContactAlone();
+    void numbersShowWhatIsWrong();
     void lineOfTheFirstHitIsTold();
     void answerOfTheOwnSceneIsNotDenied_data();
     void answerOfTheOwnSceneIsNotDenied();
@@ -30,8 +32,8 @@ QString text(const char *utf8)
     return QString::fromUtf8(utf8);
 }
 
-/// What is said of the contact and the response of a program with that hit.
-QStringList said(const LawBench &bench, const HitLaw &law, const QString &start = {})
+/// What is said of the contact and the response of a program with that hit, the whole of it.
+QStringList bodies(const LawBench &bench, const HitLaw &law, const QString &start = {})
 {
     const QString program = written({.start = start,
                                      .walls = wallsOf(wallWays[1], "c.radius", "1"),
@@ -46,7 +48,16 @@ QStringList said(const LawBench &bench, const HitLaw &law, const QString &start 
                     responseDeviations(own.pair(), bench.right.pair(), bench.ground))})
         for (const LawDeviation &one :
              conditioned(aspect, found, own, bench.right, bench.ground, {}).deviations)
-            all.append(one.message.section(QLatin1Char('\n'), 0, 0));
+            all.append(one.message);
+    return all;
+}
+
+/// The headlines of that.
+QStringList said(const LawBench &bench, const HitLaw &law, const QString &start = {})
+{
+    QStringList all = bodies(bench, law, start);
+    for (QString &one : all)
+        one = one.section(QLatin1Char('\n'), 0, 0);
     return all;
 }
 
@@ -105,6 +116,23 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "m2 = 2 * m1 local j = 2 * closing / (1 / m1 + 1 / m2) "
         "p.velocity, q.velocity = p.velocity - j / m1 * n, q.velocity + j / m2 * n",
         "The two masses have the same ratio in all hits tried");
+    row("normal and tangent of another length", "L42T12",
+        "n = n / d:length() local t = vec(-n.y, n.x) "
+        "local a, b = p.velocity:dot(n), q.velocity:dot(n) "
+        "p.velocity = b * n + p.velocity:dot(t) * t q.velocity = a * n + q.velocity:dot(t) * t",
+        "Normal and tangent are too long");
+    row("one number of two masses", "L42T14",
+        "m1, m2 = 3.14 * p.radius ^ 3, math.pi * q.radius ^ 3 "
+        "local j = 2 * closing / (1 / m1 + 1 / m2) "
+        "p.velocity, q.velocity = p.velocity - j / m1 * n, q.velocity + j / m2 * n",
+        "Two equal circles do not count as equally heavy");
+    row("circle 1 alone, too early in the lab", "L42T8", "p.velocity = p.velocity - closing * n",
+        "Circle 1 answers where it meets circle 2");
+    row("an angle from its cosine", "L42T12",
+        "local a = math.acos(n.x) n = vec(math.cos(a), math.sin(a)) "
+        "local u = (p.velocity - q.velocity):dot(n) "
+        "p.velocity, q.velocity = p.velocity - u * n, q.velocity + u * n",
+        "Some hits of the two circles come out wrong");
     row("radii in the mass of the other", "L42T14",
         "m1, m2 = p.density * q.radius ^ 3, q.density * p.radius ^ 3 "
         "local j = 2 * closing / (1 / m1 + 1 / m2) "
@@ -123,6 +151,29 @@ void TestHitKinds::headlineTellsForHowMany()
     QFETCH(QString, headline);
     const LawBench bench(task(QLatin1String(step)));
     QCOMPARE(said(bench, {.mass = text("1"), .answer = answer}), QStringList(headline));
+}
+
+/// The same normal tells whether they come nearer: of one cause one finding.
+void TestHitKinds::directionIsToldOfTheContactAlone()
+{
+    const LawBench bench(task(QStringLiteral("L42T11")));
+    const HitLaw law{.normal = text("vec(d.x, math.abs(d.y)):normalized()")};
+    QCOMPARE(said(bench, law), QStringList(text("Some hits do not act along the line of centres")));
+}
+
+/// What is all but right in the own scene is not called right there; what shows is told.
+void TestHitKinds::numbersShowWhatIsWrong()
+{
+    const LawBench bench(task(QStringLiteral("L42T15")));
+    const QString rounded = text("local function w(c) return math.floor(c.density * c.radius ^ 3 * "
+                                 "1000) end m1, m2 = w(p), w(q) "
+                                 "local j = 2 * closing / (1 / m1 + 1 / m2) "
+                                 "p.velocity = p.velocity - j / m1 * n "
+                                 "q.velocity = q.velocity + j / m2 * n");
+    const QString body = bodies(bench, {.answer = rounded}).value(0);
+    const auto n = told::numbersIn(body, "they left with # and #; # and # are right.");
+    QVERIFY2(n.size() == 4, qPrintable(body));
+    QVERIFY2(n[0] != n[2] || n[1] != n[3], qPrintable(body));
 }
 
 /// Where circle 2 rests at first, nothing else tells that the line was kept.

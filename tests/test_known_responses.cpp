@@ -107,6 +107,8 @@ const Answer answers[] = {
     {"Both pushes have the wrong sign", {2.5, 0.4, -1.6, 0.1}},
     // Of 0.4 m between the centres in the middle of the step.
     {"The normal does not have length 1", {1.2 - 0.16 * 1.3, 0.4, -0.3 + 0.16 * 1.3, 0.1}},
+    {"Normal and tangent are too short", {-0.016, 0.064, 0.16, 0.016}},
+    {"Normal and tangent are too long", {-0.625, 2.5, 6.25, 0.625}},
     {"The distance of the centres comes into the push",
      {1.2 - 0.4 * 1.3, 0.4, -0.3 + 0.4 * 1.3, 0.1}}};
 

@@ -62,6 +62,14 @@ void TestResponseLaw::faultIsNamed_data()
            "local j = (2.5 - e / 2) * closing / (1 / m1 + 1 / m2) "
            "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
            "The push is multiplied by 2.5 − 0.5 e instead of 1 + e");
+    answer("not with e = 0",
+           "if e > 0 then local j = (1 + e) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n end",
+           "With e = 0 a hit changes no velocity");
+    answer("the radius of the other in one mass",
+           "m1 = p.density * q.radius ^ 3 local j = (1 + e) * closing / (1 / m1 + 1 / m2) "
+           "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
+           "The hits do not depend on the radii");
     answer("with a curve of e",
            "local j = (1 + e / 2 + e ^ 3 / 4) * closing / (1 / m1 + 1 / m2) "
            "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",

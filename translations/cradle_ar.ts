@@ -4920,6 +4920,50 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>In the first step of your own scene it goes %1 m, as its velocity there makes it. So it should from every start: look at what is asked before the line that moves it.</source>
         <translation>في الخطوة الأولى من مشهدك تكون المسافة ⁦%1 m⁩ كما تقتضي السرعة هناك. هكذا يجب أن يكون من كل بداية: انظر ما يُسأل عنه قبل السطر الذي ينقل.</translation>
     </message>
+    <message>
+        <source>The circles are answered too late, or not at all</source>
+        <translation>تستجيب الدائرتان متأخرتين أو لا تستجيبان قط</translation>
+    </message>
+    <message>
+        <source>Circle 1 answers where it meets circle 2</source>
+        <translation>تستجيب الدائرة 1 حيث تلتقي الدائرة 2</translation>
+    </message>
+    <message>
+        <source>Circle 2 answers where it meets circle 1</source>
+        <translation>تستجيب الدائرة 2 حيث تلتقي الدائرة 1</translation>
+    </message>
+    <message>
+        <source>Along the line of centres and across it alike the velocities are multiplied by one number. Both directions need length 1, else their length comes in twice.</source>
+        <translation>على خط المركزين وعموديًا عليه معًا ضُربت السرعتان في عدد واحد. يجب أن يكون طول الاتجاهين 1، وإلا دخل طولهما مرتين.</translation>
+    </message>
+    <message>
+        <source>Normal and tangent are too short</source>
+        <translation>الناظم والمماس أقصر مما يجب</translation>
+    </message>
+    <message>
+        <source>Normal and tangent are too long</source>
+        <translation>الناظم والمماس أطول مما يجب</translation>
+    </message>
+    <message>
+        <source>Mass is density times volume, for each ball with its own radius: it grows with r³.</source>
+        <translation>الكتلة هي الكثافة في الحجم، ولكل كرة نصف قطرها هي: فهي تنمو مع ⁦r³⁩.</translation>
+    </message>
+    <message>
+        <source>Two equal circles do not count as equally heavy</source>
+        <translation>لا تُعدّ دائرتان متساويتان متساويتي الكتلة</translation>
+    </message>
+    <message>
+        <source>They answer as if circle 2 were %1 times as heavy as circle 1. Compare the lines for the two masses, and those for the two pushes, number by number.</source>
+        <translation>تستجيبان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩. قارن بين سطري الكتلتين وبين سطري الدفعين عددًا عددًا.</translation>
+    </message>
+    <message>
+        <source>With e = %1 a hit changes no velocity</source>
+        <translation>مع ⁦e = %1⁩ لا يغيّر التصادم أي سرعة</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s along the line of centres, touched, and both kept their velocities; with e = %2 it comes out right. Look at what is asked before the lines with the answer, and at what e does there.</source>
+        <translation>اقتربتا بسرعة ⁦%1 m/s⁩ على خط المركزين وتلامستا واحتفظت كلتاهما بسرعتها؛ ومع ⁦e = %2⁩ تصحّ النتيجة. انظر عمّ يُسأل قبل أسطر الاستجابة، وماذا يفعل ⁦e⁩ هناك.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

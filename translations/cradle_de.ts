@@ -4860,6 +4860,50 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>In the first step of your own scene it goes %1 m, as its velocity there makes it. So it should from every start: look at what is asked before the line that moves it.</source>
         <translation>Im ersten Schritt deiner eigenen Szene geht es %1 m weit, wie es die Geschwindigkeit dort verlangt. So soll es nach jedem Start sein: Sieh dir an, was vor der Zeile gefragt wird, die bewegt.</translation>
     </message>
+    <message>
+        <source>The circles are answered too late, or not at all</source>
+        <translation>Die Kreise antworten zu spät oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Circle 1 answers where it meets circle 2</source>
+        <translation>Kreis 1 antwortet, wo er Kreis 2 trifft</translation>
+    </message>
+    <message>
+        <source>Circle 2 answers where it meets circle 1</source>
+        <translation>Kreis 2 antwortet, wo er Kreis 1 trifft</translation>
+    </message>
+    <message>
+        <source>Along the line of centres and across it alike the velocities are multiplied by one number. Both directions need length 1, else their length comes in twice.</source>
+        <translation>Längs der Verbindungslinie der Mittelpunkte wie quer zu ihr sind die Geschwindigkeiten mit einer Zahl multipliziert. Beide Richtungen brauchen die Länge 1, sonst geht ihre Länge zweimal ein.</translation>
+    </message>
+    <message>
+        <source>Normal and tangent are too short</source>
+        <translation>Normale und Tangente sind zu kurz</translation>
+    </message>
+    <message>
+        <source>Normal and tangent are too long</source>
+        <translation>Normale und Tangente sind zu lang</translation>
+    </message>
+    <message>
+        <source>Mass is density times volume, for each ball with its own radius: it grows with r³.</source>
+        <translation>Masse ist Dichte mal Volumen, für jede Kugel mit ihrem eigenen Radius: Sie wächst mit r³.</translation>
+    </message>
+    <message>
+        <source>Two equal circles do not count as equally heavy</source>
+        <translation>Zwei gleiche Kreise gelten nicht als gleich schwer</translation>
+    </message>
+    <message>
+        <source>They answer as if circle 2 were %1 times as heavy as circle 1. Compare the lines for the two masses, and those for the two pushes, number by number.</source>
+        <translation>Sie antworten, als wäre Kreis 2 %1-mal so schwer wie Kreis 1. Vergleiche die Zeilen für die beiden Massen und die für die beiden Kraftstöße, Zahl für Zahl.</translation>
+    </message>
+    <message>
+        <source>With e = %1 a hit changes no velocity</source>
+        <translation>Mit e = %1 ändert ein Stoß keine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s along the line of centres, touched, and both kept their velocities; with e = %2 it comes out right. Look at what is asked before the lines with the answer, and at what e does there.</source>
+        <translation>Sie kamen sich längs der Verbindungslinie der Mittelpunkte mit %1 m/s näher, berührten sich und behielten beide ihre Geschwindigkeit; mit e = %2 geht es richtig aus. Sieh nach, was vor den Zeilen mit der Antwort gefragt wird und was e dort tut.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -4860,6 +4860,50 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>In the first step of your own scene it goes %1 m, as its velocity there makes it. So it should from every start: look at what is asked before the line that moves it.</source>
         <translation>Au premier pas de votre propre scène, le chemin est de %1 m, comme le veut la vitesse. Il doit en être ainsi depuis chaque départ&#xa0;: regardez ce qui est demandé avant la ligne qui déplace.</translation>
     </message>
+    <message>
+        <source>The circles are answered too late, or not at all</source>
+        <translation>Les cercles réagissent trop tard, ou pas du tout</translation>
+    </message>
+    <message>
+        <source>Circle 1 answers where it meets circle 2</source>
+        <translation>Le cercle 1 réagit là où il rencontre le cercle 2</translation>
+    </message>
+    <message>
+        <source>Circle 2 answers where it meets circle 1</source>
+        <translation>Le cercle 2 réagit là où il rencontre le cercle 1</translation>
+    </message>
+    <message>
+        <source>Along the line of centres and across it alike the velocities are multiplied by one number. Both directions need length 1, else their length comes in twice.</source>
+        <translation>Suivant la ligne des centres comme perpendiculairement à elle, les vitesses sont multipliées par un même nombre. Les deux directions doivent avoir la longueur 1, sinon leur longueur intervient deux fois.</translation>
+    </message>
+    <message>
+        <source>Normal and tangent are too short</source>
+        <translation>La normale et la tangente sont trop courtes</translation>
+    </message>
+    <message>
+        <source>Normal and tangent are too long</source>
+        <translation>La normale et la tangente sont trop longues</translation>
+    </message>
+    <message>
+        <source>Mass is density times volume, for each ball with its own radius: it grows with r³.</source>
+        <translation>La masse est la masse volumique fois le volume, pour chaque boule avec son propre rayon&#xa0;: elle croît comme r³.</translation>
+    </message>
+    <message>
+        <source>Two equal circles do not count as equally heavy</source>
+        <translation>Deux cercles égaux ne comptent pas comme aussi lourds</translation>
+    </message>
+    <message>
+        <source>They answer as if circle 2 were %1 times as heavy as circle 1. Compare the lines for the two masses, and those for the two pushes, number by number.</source>
+        <translation>Ils réagissent comme si le cercle 2 était %1 fois aussi lourd que le cercle 1. Comparez les lignes des deux masses et celles des deux poussées, nombre par nombre.</translation>
+    </message>
+    <message>
+        <source>With e = %1 a hit changes no velocity</source>
+        <translation>Avec e = %1, un choc ne change aucune vitesse</translation>
+    </message>
+    <message>
+        <source>They came nearer with %1 m/s along the line of centres, touched, and both kept their velocities; with e = %2 it comes out right. Look at what is asked before the lines with the answer, and at what e does there.</source>
+        <translation>Ils se rapprochaient à %1 m/s suivant la ligne des centres, se sont touchés et ont tous deux gardé leur vitesse&#xa0;; avec e = %2, le résultat est bon. Regardez ce qui est demandé avant les lignes de la réponse, et ce que e y fait.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -55,6 +55,7 @@ public:
 
 private:
     [[nodiscard]] bool isRight(const PairHit &hit) const;
+    [[nodiscard]] bool isHardlyMissed() const;
     void tell();
     /// How many of them come out right, and which.
     [[nodiscard]] QString counted() const;

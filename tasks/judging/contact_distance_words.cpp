@@ -160,9 +160,11 @@ private:
         add(areBoth ? ContactText::tr("Some meetings are answered before they touch, others too "
                                       "late")
             : isOfSome && early ? ContactText::tr("Some meetings are answered before they touch")
-            : isOfSome          ? ContactText::tr("Some meetings are answered too late")
-            : early             ? ContactText::tr("The circles answer before they touch")
-                                : ContactText::tr("The circles answer too late"),
+            : isOfSome && inTime == 0
+                ? ContactText::tr("The circles are answered too late, or not at all")
+            : isOfSome ? ContactText::tr("Some meetings are answered too late")
+            : early    ? ContactText::tr("The circles answer before they touch")
+                       : ContactText::tr("The circles answer too late"),
             body, hit, Suspect::Reach);
         if (isOfSides)
             m_found.back().topic = Topic::Distance;

@@ -62,10 +62,17 @@ std::optional<LawDeviation> DividedMeetings::said(bool isKnown)
     const auto isMet = [](const PairHit &hit) { return hit.isMet(); };
     if (m_answered.empty() || m_missed.empty()
         || !std::all_of(m_right.contacts.begin(), m_right.contacts.end(), isMet)
-        || (isKnown && !isComing) || (isDirectionWrong() && !isComing && !isSize))
+        || (isKnown && !isComing) || (isDirectionWrong() && !isComing && !isSize)
+        || (!m_division && isHardlyMissed()))
         return std::nullopt;
     tell();
     return std::move(m_found.front());
+}
+
+/// Whether a wrong answer is to blame: few are missed, and nothing divides them.
+bool DividedMeetings::isHardlyMissed() const
+{
+    return !answersRightly() && 4 * m_missed.size() < m_answered.size();
 }
 
 void DividedMeetings::tell()

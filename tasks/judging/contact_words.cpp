@@ -122,9 +122,20 @@ private:
                     .arg(m_own.contacts.size()),
                 hit);
         else
-            add(ContactText::tr("The circles act on each other"),
+            add(isPushedAlone(0)   ? ContactText::tr("Circle 1 answers where it meets circle 2")
+                : isPushedAlone(1) ? ContactText::tr("Circle 2 answers where it meets circle 1")
+                                   : ContactText::tr("The circles act on each other"),
                 ContactText::tr("In this step they should still pass through each other."), hit);
         return true;
+    }
+
+    /// Whether that circle, from 0, changes its velocity in hits, and the other in none.
+    [[nodiscard]] bool isPushedAlone(int circle) const
+    {
+        return std::all_of(
+            m_own.contacts.begin(), m_own.contacts.end(), [circle](const PairHit &hit) {
+                return !hit.answered || length(circle == 0 ? hit.push2() : hit.push1()) < 1e-9;
+            });
     }
 
     static QString whoIsMoved(const PairHit &hit)
@@ -202,6 +213,10 @@ private:
             || isInTime(*m_own.own) || isDirectionWrong())
             return;
         const PairHit &hit = *m_own.own;
+        // Who glances off another comes nearer ever more slowly: it may be a step late, too.
+        if (hit.reached <= hit.meeting.sum()
+            && hit.meeting.sum() <= hit.before + 2.0 * (hit.before - hit.reached))
+            return;
         const auto &before = m_ground.own.circles;
         const bool isOfOldRadii =
             before.size() > 1 && hit.fits(before[0].body.radius + before[1].body.radius);

@@ -45,6 +45,18 @@ double angleOf(const EqualHit &h)
     return std::atan2(h.hit.normal.y, h.hit.normal.x);
 }
 
+/// What is right, \p factor times as large.
+PairVelocities scaled(const EqualHit &h, double factor)
+{
+    return faster(h.right, factor);
+}
+
+/// Of the centres in the middle of the step, m.
+double middleDistance(const EqualHit &h)
+{
+    return 0.5 * (h.hit.before + h.hit.reached);
+}
+
 using DirectedHit = const EqualHit &;
 
 } // namespace
@@ -54,18 +66,22 @@ std::vector<ResponseLaw> directionLaws()
     const QString unit =
         DirectionLawText::tr("A direction has length 1: divide it by its own length, "
                              "else its length comes into the push, and twice.");
+    const QString both = DirectionLawText::tr(
+        "Along the line of centres and across it alike the velocities are multiplied by one "
+        "number. Both directions need length 1, else their length comes in twice.");
     const QString once = DirectionLawText::tr(
         "The push is multiplied by the distance of the centres, in m. A direction has length 1: "
         "divide the way from one to the other by its length wherever it stands.");
     const QString line =
         DirectionLawText::tr("The push acts along the line from centre to centre.");
     return {
-        {[](DirectedHit h) {
-             return pushed(h,
-                           0.25 * (h.hit.before + h.hit.reached) * (h.hit.before + h.hit.reached));
-         },
+        {[](DirectedHit h) { return pushed(h, middleDistance(h) * middleDistance(h)); },
          DirectionLawText::tr("The normal does not have length 1"), unit},
-        {[](DirectedHit h) { return pushed(h, 0.5 * (h.hit.before + h.hit.reached)); },
+        {[](DirectedHit h) { return scaled(h, middleDistance(h) * middleDistance(h)); },
+         DirectionLawText::tr("Normal and tangent are too short"), both},
+        {[](DirectedHit h) { return scaled(h, 1.0 / (middleDistance(h) * middleDistance(h))); },
+         DirectionLawText::tr("Normal and tangent are too long"), both},
+        {[](DirectedHit h) { return pushed(h, middleDistance(h)); },
          DirectionLawText::tr("The distance of the centres comes into the push"), once},
         {[](DirectedHit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
          DirectionLawText::tr("The perpendicular of the line of centres is taken for the normal"),

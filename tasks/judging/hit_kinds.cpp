@@ -3,6 +3,7 @@
 #include "tasks/judging/hit_kinds.h"
 
 #include "tasks/judging/contact_comparison.h"
+#include "tasks/judging/pair_words.h"
 #include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
 
@@ -213,6 +214,9 @@ void HitKinds::judge()
     std::vector<LawDeviation> &found = m_said.deviations;
     if (!found.empty() && found.front().topic == Topic::Restitution)
         return;
+    // Whoever is hit again while they part has more than one answer in it.
+    if (found.empty() && m_own.pair().twice && !m_right.pair().twice)
+        return;
     Kinds all = kinds();
     // All of these are first hits: what is wrong with them was not kept.
     const bool isOfMemory =
@@ -250,7 +254,14 @@ void HitKinds::judge()
         found.front().message += countOf(hits, std::nullopt);
         return;
     }
-    found = {kindsDeviation(all, division)};
+    LawDeviation said = kindsDeviation(all, division);
+    // Which of them act along the line of centres has been said of the contact.
+    const auto contacts = contactDeviations(m_own.pair(), m_right.pair(), m_ground);
+    if (found.empty() && said.topic == Topic::Direction
+        && std::any_of(contacts.begin(), contacts.end(),
+                       [](const LawDeviation &one) { return one.topic == Topic::Direction; }))
+        return;
+    found = {std::move(said)};
 }
 
 /// A known answer that all of \p hits follow, and those of equal circles.
@@ -265,15 +276,40 @@ std::optional<ResponseLaw> HitKinds::lawOf(const Kinds &hits) const
     return std::nullopt;
 }
 
+/// The first of \p all whose numbers show that it comes out wrong; if none does, the one that is
+/// most so.
+const PairHit &HitKinds::clearlyWrong(const Kinds &all) const
+{
+    constexpr double clear = 0.02; // of the closing speed
+    const PairHit *worst = nullptr;
+    double most = 0.0;
+    for (const JudgedMeeting &one : all) {
+        if (one.isRight)
+            continue;
+        const PairVelocities a = one.hit->leftParts();
+        const PairVelocities b = rightFor(one.hit->cameParts(), goodOf(*one.hit));
+        const double off = (std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2)
+                            + std::abs(a.across1 - b.across1) + std::abs(a.across2 - b.across2))
+                           / std::abs(one.hit->meeting.closing());
+        if (!worst || off > most) {
+            worst = one.hit;
+            most = off;
+        }
+        if (off > clear)
+            break;
+    }
+    return *worst;
+}
+
 LawDeviation HitKinds::kindsDeviation(const Kinds &all,
                                       const std::optional<MeetingDivision> &division) const
 {
-    const auto wrong =
-        std::find_if(all.begin(), all.end(), [](const JudgedMeeting &one) { return !one.isRight; });
-    const PairHit &hit = *wrong->hit;
+    const PairHit &hit = clearlyWrong(all);
     const auto law = lawOf(all);
-    const QString seen = ConditionText::tr("This one came out wrong: %1.")
-                             .arg(describeMeeting(hit, m_ground, division))
+    QString meeting = describeMeeting(hit, m_ground, division);
+    if (m_ground.pair.restitutions.size() > 1)
+        meeting += QStringLiteral(", e = ") + brief(hit.meeting.restitution);
+    const QString seen = ConditionText::tr("This one came out wrong: %1.").arg(meeting)
                          + QLatin1Char(' ') + describeHit(hit, goodOf(hit));
     if (law)
         return responseDeviation(law->headline, seen + QLatin1Char(' ') + law->body, hit);

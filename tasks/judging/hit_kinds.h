@@ -40,6 +40,7 @@ private:
     void judge();
     [[nodiscard]] bool areOtherMasses(const Kinds &hits);
     [[nodiscard]] std::optional<ResponseLaw> lawOf(const Kinds &hits) const;
+    [[nodiscard]] const PairHit &clearlyWrong(const Kinds &all) const;
     [[nodiscard]] LawDeviation kindsDeviation(const Kinds &all,
                                               const std::optional<MeetingDivision> &division) const;
 };

@@ -112,8 +112,11 @@ struct MassTeller {
                 ? ResponseText::tr("The mass grows with r to the power of %1, not %2")
                       .arg(brief(roundedExponent(p)), brief(roundedExponent(good)))
                 : ResponseText::tr("The masses do not follow the radii as those of balls do"),
-            ResponseText::tr("A ball that is twice as wide is also twice as high and as deep: its "
-                             "mass grows with r³."),
+            is(p, 0.0)
+                ? ResponseText::tr("Mass is density times volume, for each ball with its own "
+                                   "radius: it grows with r³.")
+                : ResponseText::tr("A ball that is twice as wide is also twice as high and "
+                                   "as deep: its mass grows with r³."),
             &MeasuredPair::radii);
     }
 

@@ -19,6 +19,15 @@ std::optional<LawDeviation> ownMasses(const PairHit &hit, const MeasuredPair &ow
     if (!heavy || (!p.radius && !p.density))
         return std::nullopt;
     const double wanted = p.ratioOf(m);
+    if (const auto equal = massRatio(own.equals.front());
+        equal && std::abs(*equal - 1.0) > 1e-6 && std::abs(*heavy / wanted / *equal - 1.0) < 1e-6)
+        return responseDeviation(
+            ResponseText::tr("Two equal circles do not count as equally heavy"),
+            ResponseText::tr("They answer as if circle 2 were %1 times as heavy as circle 1. "
+                             "Compare the lines for the two masses, and those for the two pushes, "
+                             "number by number.")
+                .arg(motion::figureBeside(*equal, 1.0)),
+            own.equals.front(), Suspect::Masses);
     if (std::abs(*heavy - wanted) <= (isHeadOn(hit) ? 1e-5 : 0.02) * wanted)
         return std::nullopt;
     return responseDeviation(

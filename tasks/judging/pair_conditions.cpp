@@ -175,7 +175,8 @@ private:
         const auto &own = m_own.pair().own;
         const auto &right = m_right.pair().own;
         if (own && right && own->isMet() && right->isMet() && isOfSameCircles(*own, *right)
-            && own->fits(own->meeting.sum()) && leaveAlike(*own, *right, sameAnswer))
+            && own->fits(own->meeting.sum())
+            && leaveAlike(*own, *right, isHeadOn(*own) ? sameNumbers : sameAnswer))
             found.front().message +=
                 QLatin1Char(' ')
                 + (own->came2 == Vec2{}
@@ -195,6 +196,7 @@ private:
         return length(a.left1 - b.left1) + length(a.left2 - b.left2)
                < blur * length(a.came1 - a.came2);
     }
+    static constexpr double sameNumbers = 1e-6; ///< where no line of centres turns
     static constexpr double sameAnswer = 1e-3;  ///< what surely is right
     static constexpr double otherAnswer = 0.04; ///< what surely is wrong
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/rebound_reading.h"
+#include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
 
 #include <QCoreApplication>
@@ -227,6 +228,10 @@ private:
     /// What no other law tells. They may part as fast as they should: that is the mean of both.
     void addOdd()
     {
+        if (auto unanswered = m_isElastic ? unansweredRebound(m_own, m_right) : std::nullopt) {
+            m_reading.deviations.push_back(std::move(*unanswered));
+            return;
+        }
         // Whoever is hit again while they part has more than one answer in it.
         if (m_own.twice && !m_right.twice)
             return;

@@ -30,6 +30,10 @@ struct EqualReading {
 [[nodiscard]] std::optional<LawDeviation>
 constantDeviation(const MeasuredPair &own, const std::vector<EqualHit> &hits, const PairHit &hit);
 
+/// That with some e no velocity changes, and with all others below 1 it comes out right.
+[[nodiscard]] std::optional<LawDeviation> unansweredRebound(const MeasuredPair &own,
+                                                            const MeasuredPair &right);
+
 /// An equal and opposite push along the line of centres that has a wrong length.
 struct SizeOfPush {
     QString headline{};

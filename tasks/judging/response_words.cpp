@@ -113,7 +113,8 @@ private:
     void findUnequal()
     {
         const auto [hit, good] = wrongUnequal();
-        if (!m_equal.isRight || !hit)
+        // Whoever is hit again while they part has more than one answer in it.
+        if (!m_equal.isRight || !hit || (m_own.twice && !m_right.twice))
             return;
         const Meeting &m = hit->meeting;
         // Where equal circles keep their velocities without losses, nothing is known of them.
