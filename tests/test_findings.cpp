@@ -83,6 +83,14 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
             edit(f.walls, "- c.radius", "- 2 * c.radius");
             f.answer = lab("p.velocity, q.velocity = q.velocity, p.velocity");
         });
+    // The own scene shows no wall but the open one.
+    row("L42T14", "one wall and all hits",
+        {text("At the right wall both circles went out"),
+         text("The circles run through each other")},
+        [](OtherForm &f) {
+            edit(f.walls, "if x > room", "if x > 9");
+            f.touch = lab("false");
+        });
     row("L42T14", "contact and masses",
         {text("Contact is tested at 2 r₁, not at r₁ + r₂"),
          text("The mass grows with r to the power of 4, not 3")},
@@ -129,6 +137,12 @@ void TestFindings::oneFaultIsToldOnce_data()
                               "c.position = c.position + c.velocity * h");
             f.walls += lab(" if c.index == 2 then c.velocity = kept end");
             f.answer += lab(" circle2.velocity = kept");
+        });
+    // What a hit makes of it there is no fault of the walls.
+    row("L42T10", "place of the other circle",
+        "Every step moves circle 1 on from where circle 2 is", [](OtherForm &f) {
+            f.integrate = lab("if c.index == 1 then c.position = circle2.position end "
+                              "c.position = c.position + c.velocity * h");
         });
     row("L42T9", "distance beside a square, near one radius", "The circles answer too late",
         [](OtherForm &f) { f.reach = lab("(p.radius + q.radius) ^ 2"); });

@@ -21,13 +21,12 @@ public:
     {
         const Flight &f = flight(0);
         if (f.follows >= 0 && right().follows < 0)
-            return said(
+            return besideAnother(
                 FlightText::tr("Every step puts %who where circle %1 is").arg(f.follows + 1),
                 FlightText::tr("From every start tried the two are at the same place one step "
                                "later. Each circle has a place and a velocity of its "
                                "own and goes on from those: look at what the lines for "
-                               "one take from the other."),
-                true);
+                               "one take from the other."));
         if (f.borrows >= 0 && right().borrows < 0
             && m_own.at(gravity(), timestep(), f.borrows).borrows == m_i)
             return said(
@@ -89,13 +88,12 @@ public:
                                  brief(f.firstWay + f.wayMade)),
                         true);
         if (f.leader >= 0 && f.isFromLeader && right().leader < 0)
-            return said(
+            return besideAnother(
                 FlightText::tr("Every step moves %who on from where circle %1 is")
                     .arg(f.leader + 1),
                 FlightText::tr("From every start tried the two are near each other one step later. "
                                "Each circle goes on from its own place: look at "
-                               "the names in the line that moves it."),
-                true);
+                               "the names in the line that moves it."));
         if (f.leader >= 0 && m_right.at(gravity(), timestep(), m_i).leader < 0)
             return said(FlightText::tr("The velocity of circle %1 moves %who").arg(f.leader + 1),
                         FlightText::tr("In a scene in which circle %1 alone has a velocity, %who "
@@ -118,6 +116,14 @@ public:
                             .arg(brief(f.carried), briefTimestep(timestep())),
                         true);
         return std::nullopt;
+    }
+
+    /// What puts it beside another circle: where hits are answered it is in one all the time.
+    [[nodiscard]] FlightSaid besideAnother(const QString &headline, const QString &body) const
+    {
+        FlightSaid fault = said(headline, body, true);
+        fault.hidesHits = m_ground.pair.asked;
+        return fault;
     }
 
     /// Whether a step takes its velocity away, from every start tried.

@@ -225,13 +225,22 @@ private:
                             .step = std::max<qint64>(failed.step, 1)});
     }
 
+    /// Whether a wall is known that changes the velocity of that circle: the own scene shows one
+    /// only.
+    [[nodiscard]] bool isTurnedByAWall(int circle) const
+    {
+        const std::vector<WallHit> &hits = m_own.walls().hits;
+        return std::any_of(hits.begin(), hits.end(),
+                           [&](const WallHit &hit) { return hit.circle == circle && hit.turned; });
+    }
+
     /// What is said of walls and hits at once.
     void takeUnchanged()
     {
         if (!m_deviations.isAsked(Aspect::Walls) || !m_deviations.isAsked(Aspect::Response))
             return;
         const auto unchanged = unchangedVelocity(m_submission.program(), m_ground);
-        if (!unchanged)
+        if (!unchanged || isTurnedByAWall(unchanged->moment.circles.front()))
             return;
         m_unchanged = unchanged->moment.circles.front();
         add(*unchanged, {}, unchanged->message);

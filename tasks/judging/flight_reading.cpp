@@ -41,6 +41,22 @@ bool startsFrom(const Steps &run, std::size_t j, std::size_t i)
     return run.made && way(j) < way(i);
 }
 
+/// The circle beside whose start circle \p i is one step later, far from its own, in both runs.
+int placedBy(const Steps &first, const Steps &second, std::size_t i)
+{
+    constexpr double near = 0.3; // m: more than a step's way, and than what a hit pushes it aside
+    const auto isBeside = [&](const Steps &run, std::size_t j) {
+        const Vec2 now = run.before[i].position;
+        return run.made && length(now - run.start[j].position) < near
+               && length(now - run.start[i].position) > 3.0 * near;
+    };
+    for (std::size_t j = 0; j < first.start.size(); ++j) {
+        if (j != i && isBeside(first, j) && isBeside(second, j))
+            return static_cast<int>(j);
+    }
+    return -1;
+}
+
 /// The circle whose velocity circle \p i has one step later, but for what it has from rest.
 int borrowedBy(const Steps &rest, const Steps &first, const Steps &second, std::size_t i)
 {
@@ -199,6 +215,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         for (std::size_t i = 0; i < flights.size(); ++i) {
             flights[i].acceleration = gravity;
             flights[i].leap = leapOf(flights[i], first, h, i);
+            flights[i].leader = placedBy(first, second, i);
+            flights[i].isFromLeader = flights[i].leader >= 0;
         }
         return flights;
     }
@@ -206,6 +224,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         flights[i] = lawOf(steps, h, i);
         flights[i].follows = followedBy(first, i);
         flights[i].borrows = borrowedBy(rest, first, second, i);
+        flights[i].leader = placedBy(first, second, i);
+        flights[i].isFromLeader = flights[i].leader >= 0;
         readLate(flights[i], first, late, i);
         for (const qint64 more : {1, 2}) {
             if (flights[i].isTimeless || flights[i].isCounted)
@@ -215,7 +235,7 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
             flights[i].isCounted = later.made && areSame(first, later, i);
         }
         flights[i].isKnown = flights[i].isKnown && flights[i].follows < 0 && flights[i].borrows < 0
-                             && flights[i].isTimeless;
+                             && flights[i].isTimeless && !flights[i].isFromLeader;
         if (flights[i].isKnown) {
             flights[i].leap = leapOf(flights[i], first, h, i);
             if (!flights[i].leap)
@@ -233,6 +253,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         if (flights[i].resets || flights[i].resetsX || flights[i].resetsY)
             flights[i].onlySlow =
                 keepsSpeed(flights[i], rest, isFurther ? run(Scene::Fast) : quick, i);
+        if (flights[i].isFromLeader)
+            continue;
         if (!flights[i].isKnown || flights[i].way == Vec2{})
             flights[i].leader = leaderOf(program, ground, gravity, h, i, rest);
         if (flights[i].leader >= 0)

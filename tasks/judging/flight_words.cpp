@@ -44,7 +44,9 @@ private:
         }
         if (auto fault = letGo())
             return {*fault};
-        if (auto fault = leap(); fault && flight(0).leap->speed == Flight::Speed::Any)
+        // Who is put beside another circle may be turned by a hit there.
+        if (auto fault = leap();
+            fault && flight(0).leap->speed == Flight::Speed::Any && !flight(0).isFromLeader)
             return {*fault};
         for (const auto law : {placeSaid, stepSaid}) {
             if (auto fault = law(*this))
