@@ -4,6 +4,7 @@
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
+#include "views/author/proof_matrix.h"
 #include "views/error_line.h"
 #include "views/menu.h"
 
@@ -22,6 +23,7 @@ private slots:
     void runOfACheckKeepsItsScene();
     void referenceStopsAtWhatTheStepFixes();
     void proofSaysNoMoreThanItProves();
+    void matrixThatIsSeenIsFilledAnew();
 };
 
 namespace {
@@ -203,6 +205,26 @@ void TestAuthorProof::proofSaysNoMoreThanItProves()
     author.window.panes().showTab(AuthorWindow::Proof);
     QTRY_COMPARE(rows(), before - 1);
     QVERIFY(says(QStringLiteral("before the last edits")));
+}
+
+/// Its columns come before their headings do. (Their heights once asked for headings that were not
+/// there yet.)
+void TestAuthorProof::matrixThatIsSeenIsFilledAnew()
+{
+    ProofMatrix matrix;
+    matrix.resize(700, 300);
+    static_cast<QWidget &>(matrix).show();
+    QVERIFY(QTest::qWaitForWindowExposed(&matrix));
+    const VerifiedTask task{
+        .id = QStringLiteral("A"),
+        .title = {},
+        .checks = {QStringLiteral("first"), QStringLiteral("second")},
+        .programs = {{.name = QStringLiteral("solution"), .reports = {CheckReport{}}}}};
+    for (const VerifiedTask &shown : {task, VerifiedTask{}, task}) {
+        matrix.show(shown);
+        QCOMPARE(matrix.columnCount(), shown.programs.empty() ? 0 : 4);
+    }
+    QCOMPARE(matrix.horizontalHeaderItem(2)->toolTip(), QStringLiteral("Check second"));
 }
 
 QTEST_MAIN(TestAuthorProof)

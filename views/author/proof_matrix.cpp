@@ -158,9 +158,11 @@ void ProofMatrix::fitColumns()
             + cellMargin;
         const int width = std::clamp(room, leastCell, std::clamp(wanted, leastCell, mostCell));
         setColumnWidth(i, width);
-        // A heading with a style sheet is cut at both ends instead.
-        horizontalHeaderItem(i)->setText(horizontalHeader()->fontMetrics().elidedText(
-            m_task.checks[i - 1], Qt::ElideRight, width - cellMargin + 2));
+        // A heading with a style sheet is cut at both ends instead. Columns that are just being
+        // inserted have none, and change the height of the headings, and so the size of the rest.
+        if (QTableWidgetItem *heading = horizontalHeaderItem(i))
+            heading->setText(horizontalHeader()->fontMetrics().elidedText(
+                m_task.checks[i - 1], Qt::ElideRight, width - cellMargin + 2));
     }
 }
 
