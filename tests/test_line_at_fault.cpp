@@ -63,6 +63,12 @@ void TestLineAtFault::findingMarksTheLine_data()
         "local p = 2 * m * closing * n\n  push(a, -p)\n  push(b, p)",
         "local p = 0.7 * m * (closing + 0.1) * 2 * n\n  a.velocity = a.velocity - p / ma\n"
         "  b.velocity = b.velocity + p / mb");
+    row("push: worked out where it is handed on", weighed, "push(a, -p)\n  push(b, p)",
+        "push(a, -(2 * m * closing - 0.01 * m) * 0.9 * n) "
+        "push(b, (2 * m * closing - 0.01 * m) * 0.9 * n)");
+    row("own frame: a part of what is put together", frame,
+        "local push = d * (rel:dot(d) / d:length_squared())",
+        "local push = d * (rel:dot(d) / d:length_squared() * 0.8 - 0.01)");
     row("setter: normal of the first hit", objects, "d:normalized()",
         "d:normalized() balls.n = balls.n or n n = balls.n");
 }

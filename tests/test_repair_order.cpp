@@ -90,6 +90,7 @@ void TestRepairOrder::ofTwoEqualLinesTheLaterIsMeantForTheSecond()
     QCOMPARE(first(QStringLiteral("walls(circle1)"), QStringLiteral("walls(circle2)")), 2);
     QCOMPARE(first(QStringLiteral("walls(circle2)"), QStringLiteral("walls(circle1)")), 1);
     QCOMPARE(first(QStringLiteral("walls(circle1)"), QStringLiteral("move(circle1)")), 1);
+    QCOMPARE(first(QStringLiteral("move(circle1)"), {}), 2); // that is one too many
 }
 
 void TestRepairOrder::whatIsToldComesFirst()

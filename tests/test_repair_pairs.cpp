@@ -34,6 +34,8 @@ void TestRepairPairs::mistakeInTheSecondLineIsUndone_data()
     row("declared together", "local mine, yours = a.v, b.v", "x = mine", "x = yours");
     row("given other things", "local mine, yours = a.v, b.v * 2", "x = mine", "x = yours", false);
     row("given the same", "local mine, yours = a.v, a.v", "x = mine", "x = yours", false);
+    row("the second alone has a number", "local speed, speed2 = 1, 2", "x = speed", "x = speed2");
+    row("the first has none", "local speed, speed2 = 1, 2", "x = speed2", "x = speed");
     row("p and q", "local mp, mq = 1, 2", "x = mp", "x = mq");
     // A push on the other points the other way.
     row("opposed", "a.v = a.v - j / m1 * n", "b.v = b.v + n", "b.v = b.v + j / m2 * n");
@@ -41,6 +43,9 @@ void TestRepairPairs::mistakeInTheSecondLineIsUndone_data()
         "b.v = b.v + 2 / (m2 + m1) * n");
     row("one value of two", "", "local x1, x2 = 2 * m2 / (m1 + m2), m1", // of the own line
         "local x1, x2 = 2 * m2 / (m1 + m2), 2 * m1 / (m2 + m1)");
+    row("one of two that are returned", "function f() u = 1 end",
+        "return nx * nx * u + nx * ny * v, ny * nx * u + nx * nx * v",
+        "return nx * nx * u + nx * ny * v, ny * ny * u + ny * nx * v");
     row("the first of two", "", "local x1, x2 = m2, 2 * m1", "local x1, x2 = 2 * m2, 2 * m1");
     row("turned round, the first", "", "local x, y = u - w, v", "local x, y = -(u - w), v");
     row("turned round, the second", "", "local x, y = u, v - w", "local x, y = u, -(v - w)");

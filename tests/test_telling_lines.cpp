@@ -56,6 +56,18 @@ void TestTellingLines::lineIsTold_data()
     row("worked out of masses", masses, "m1 = 2\nmass = m1 + 1\nprint(mass, m1)", 1);
     row("copy of e", Suspect::Copy, "x = 1\nlocal e = restitution\ny = e", 2);
     row("copy of gravity's part", Suspect::Copy, "  g = gravity.y", 1);
+    row("worked out of e too early", Suspect::Copy,
+        "local k = 1 + restitution\nfunction on_load()\n  restitution = 0.5\nend", 1);
+    row("worked out of e in time", Suspect::Copy,
+        "function on_load()\n  restitution = 0.5\n  k = 1 + restitution\nend", 0);
+    row("of a radius, too early", Suspect::Copy,
+        "local far = a.radius + b.radius\nfunction on_load()\n  b.radius = 0.4\nend", 1);
+    row("of a radius in a function, too early", Suspect::Copy,
+        "local function size(c) return c.radius ^ 3 end\nfunction on_load()\n  m = size(b)\n  "
+        "b.radius = 0.4\nend",
+        3);
+    row("in every step", Suspect::Copy,
+        "function on_update()\n  far = a.radius\nend\nfunction on_load()\n  a.radius = 1\nend", 0);
     row("more than a copy", Suspect::Copy, "g = gravity.y * 2\nh = gravitation", 0);
     row("kept, or worked out", Suspect::Kept, "x = 1\nn = n or f()\nprint(n, x)", 2);
     row("another or", Suspect::Kept, "n = k or f()", 0);

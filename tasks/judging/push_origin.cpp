@@ -35,7 +35,7 @@ PushOrigin::PushOrigin(const ProgramLines &program, const RanLines &ran)
 {
 }
 
-QStringList PushOrigin::addedAt(int line) const
+PushOrigin::Taken PushOrigin::takenAt(int line) const
 {
     for (const ProgramAssignment &each : m_assignments) {
         if (each.line != line || !each.isField || each.name != QLatin1String("velocity"))
@@ -45,7 +45,8 @@ QStringList PushOrigin::addedAt(int line) const
         for (std::size_t i = each.from; i < each.to; ++i)
             isSum = isSum || m_program.is(i, "+") || m_program.is(i, "-");
         // What is not added to the velocity itself takes its place.
-        return isSum && names.removeAll(QStringLiteral("velocity")) > 0 ? names : QStringList{};
+        const bool isAdded = names.removeAll(QStringLiteral("velocity")) > 0;
+        return isSum ? Taken{names, isAdded} : Taken{};
     }
     return {};
 }
@@ -63,10 +64,10 @@ const ProgramAssignment *PushOrigin::assignmentOf(const QString &name, int above
     return found;
 }
 
-int PushOrigin::workOf(const ProgramAssignment &assignment) const
+int PushOrigin::workIn(std::size_t from, std::size_t to) const
 {
     int work = 0;
-    for (std::size_t i = assignment.from; i < assignment.to; ++i) {
+    for (std::size_t i = from; i < to; ++i) {
         if (m_program.is(i, "*") || m_program.is(i, "/") || m_program.is(i, "^"))
             work += 2;
         else if (m_program.is(i, "+") || m_program.is(i, "-"))
@@ -105,8 +106,10 @@ int PushOrigin::lineOf(const ProgramAssignment &push) const
 std::optional<int> PushOrigin::ofGiven(int line, const std::vector<int> &calls) const
 {
     const ProgramFunction *function = functionAt(m_functions, line);
-    const QStringList names = addedAt(line);
+    const Taken taken = takenAt(line);
+    const QStringList names = taken.isAdded ? taken.names : QStringList{};
     QStringList given;
+    int work = 0; // in what is handed on
     const bool isGiven = function && std::any_of(names.begin(), names.end(), [&](const auto &n) {
                              return function->parameters.contains(n);
                          });
@@ -124,20 +127,30 @@ std::optional<int> PushOrigin::ofGiven(int line, const std::vector<int> &calls) 
                 at = m_program.afterGroup(at) - 1;
             } else if (m_program.is(at, ",") || at + 1 == end) {
                 if (parameter < function->parameters.size()
-                    && names.contains(function->parameters[parameter]))
+                    && names.contains(function->parameters[parameter])) {
                     given += valuesIn(m_program, from, at);
+                    work = std::max(work, workIn(from, at));
+                }
                 from = at + 1;
                 ++parameter;
             }
         }
     }
     const ProgramAssignment *push = given.isEmpty() ? nullptr : mostWorked(given, calls.back());
-    return push ? lineOf(*push) : 0;
+    if (!push)
+        return 0;
+    // Where e stands, it is asked first.
+    const bool takesRestitution =
+        std::any_of(m_program.tokens().begin() + static_cast<std::ptrdiff_t>(push->from),
+                    m_program.tokens().begin() + static_cast<std::ptrdiff_t>(push->to),
+                    [](const ProgramToken &token) { return token.is("restitution"); });
+    return work > workOf(*push) && !takesRestitution ? calls.back() : lineOf(*push);
 }
 
 int PushOrigin::ofAdded(int line) const
 {
-    const ProgramAssignment *push = mostWorked(addedAt(line), line);
+    const Taken taken = takenAt(line);
+    const ProgramAssignment *push = mostWorked(taken.names, line);
     const auto own = std::find_if(m_assignments.begin(), m_assignments.end(),
                                   [&](const ProgramAssignment &each) { return each.line == line; });
     if (!push || own == m_assignments.end() || workOf(*push) <= workOf(*own))
@@ -149,7 +162,7 @@ int PushOrigin::ofAdded(int line) const
         sums += m_program.is(i, "+") || m_program.is(i, "-") ? 1 : 0;
         divides = divides || m_program.is(i, "/");
     }
-    if (sums < 2 && !divides)
+    if (taken.isAdded && sums < 2 && !divides)
         return 0;
     return lineOf(*push);
 }

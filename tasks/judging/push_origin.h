@@ -18,7 +18,8 @@ public:
     /// \param calls  the lines that called it, the innermost last
     /// \return nothing if the line is none such, 0 if where it is worked out is not known
     [[nodiscard]] std::optional<int> ofGiven(int line, const std::vector<int> &calls) const;
-    /// Of a line that adds what was worked out in the same function; 0 if it is none such.
+    /// Of a line that adds what was worked out in the same function, or puts a velocity together
+    /// of it; 0 if it is none such.
     [[nodiscard]] int ofAdded(int line) const;
 
     /// Whether at \p moment only the size of the push is wrong, not its direction.
@@ -27,9 +28,19 @@ public:
                                           const Moment &moment);
 
 private:
-    [[nodiscard]] QStringList addedAt(int line) const;
+    /// What a line adds to a velocity, or puts in its place.
+    struct Taken {
+        QStringList names{};
+        bool isAdded = false;
+    };
+    [[nodiscard]] Taken takenAt(int line) const;
     [[nodiscard]] const ProgramAssignment *assignmentOf(const QString &name, int above) const;
-    [[nodiscard]] int workOf(const ProgramAssignment &assignment) const;
+    /// In tokens \p from to \p to without \p to.
+    [[nodiscard]] int workIn(std::size_t from, std::size_t to) const;
+    [[nodiscard]] int workOf(const ProgramAssignment &each) const
+    {
+        return workIn(each.from, each.to);
+    }
     /// Of the names' values, worked out above a line, the one with most work.
     [[nodiscard]] const ProgramAssignment *mostWorked(const QStringList &names, int above) const;
     /// The line of a push or, if it takes one mass for both circles, of that.

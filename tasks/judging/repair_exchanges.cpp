@@ -128,6 +128,9 @@ void exchangeElement(RepairList &repairs, std::size_t i)
         repairs.replace(tokens[i].line, tokens[i].start, tokens[i + 3].end(), body);
 }
 
+/// Stands for a name while two are exchanged; no program has it.
+constexpr QChar placeholder(1);
+
 /// m1 for m2 and m2 for m1, wherever they stand in the line.
 void exchangePartners(RepairList &repairs, int line)
 {
@@ -142,9 +145,8 @@ void exchangePartners(RepairList &repairs, int line)
             continue;
         done << token.text << partner;
         QString row = program.row(line);
-        const QString mark(QChar(1));
-        row = withName(withName(row, token.text, mark), partner, token.text);
-        row.replace(mark, partner);
+        row = withName(withName(row, token.text, placeholder), partner, token.text);
+        row.replace(placeholder, partner);
         repairs.replace(line, program.startOf(line),
                         program.startOf(line) + program.row(line).size(), row);
     }
@@ -160,9 +162,9 @@ void exchangeIndices(RepairList &repairs, int line)
     QString given = row.mid(behind);
     if (behind == 0 || !given.contains(index))
         return;
-    given.replace(QLatin1String("[1]"), QString(QChar(1)));
+    given.replace(QLatin1String("[1]"), QString(placeholder));
     given.replace(QLatin1String("[2]"), QLatin1String("[1]"));
-    given.replace(QString(QChar(1)), QLatin1String("[2]"));
+    given.replace(placeholder, QLatin1String("[2]"));
     const qsizetype from = program.startOf(line);
     repairs.replace(line, from + behind, from + row.size(), given);
 }

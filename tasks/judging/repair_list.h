@@ -5,7 +5,12 @@
 #include "tasks/judging/program_statements.h"
 #include "tasks/judging/repairs.h"
 
+#include <utility>
+
 namespace cradle {
+
+/// What names of the first and of the second circle end with.
+inline constexpr std::pair<char, char> circleEnds[] = {{'1', '2'}, {'a', 'b'}, {'p', 'q'}};
 
 /// Collects changed programs, each also with the same change in all lines that say the same of
 /// another circle, wall or part.
@@ -33,8 +38,8 @@ public:
     }
     [[nodiscard]] const std::vector<ProgramFunction> &functions() const { return m_functions; }
 
-    /// What stands for the same of the other circle or side: m2 for m1, b for a, yours where
-    /// `local mine, yours = a.velocity, b.velocity`; empty if the program names none.
+    /// What stands for the same of the other circle or side: m2 for m1 or for m, b for a, yours
+    /// where `local mine, yours = a.velocity, b.velocity`; empty if the program names none.
     [[nodiscard]] QString partnerOf(const QString &name) const;
 
     /// \param from, to  places in the source, of \p line

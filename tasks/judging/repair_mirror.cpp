@@ -74,26 +74,50 @@ QString opposed(const QString &row)
     return turned;
 }
 
-/// Of `local f1, f2 = A, B` the one value as the other has it.
+/// Tokens \p from to \p to without \p to.
+struct Value {
+    std::size_t from;
+    std::size_t to;
+};
+
+/// What `return A, B` gives back.
+std::vector<Value> returnedAt(const RepairList &repairs, int line)
+{
+    std::vector<Value> values;
+    for (const std::size_t i : repairs.program().tokensOf(line)) {
+        if (!repairs.is(i, "return"))
+            continue;
+        std::size_t from = i + 1;
+        std::size_t to = afterExpression(repairs.program(), from);
+        for (; to > from; from = to + 1, to = afterExpression(repairs.program(), from)) {
+            values.push_back({from, to});
+            if (!repairs.is(to, ","))
+                break;
+        }
+    }
+    return values;
+}
+
+/// Of `local f1, f2 = A, B` or `return A, B` the one value as the other has it.
 void mirrorWithin(RepairList &repairs, int line)
 {
-    std::vector<const ProgramAssignment *> both;
+    std::vector<Value> both = returnedAt(repairs, line);
     for (const ProgramAssignment &each : repairs.assignments()) {
         if (each.line == line && each.from < each.to)
-            both.push_back(&each);
+            both.push_back({each.from, each.to});
     }
     if (both.size() != 2)
         return;
     const auto &tokens = repairs.tokens();
-    const auto startOf = [&](const ProgramAssignment &each) { return tokens[each.from].start; };
-    const auto endOf = [&](const ProgramAssignment &each) { return tokens[each.to - 1].end(); };
+    const auto startOf = [&](const Value &each) { return tokens[each.from].start; };
+    const auto endOf = [&](const Value &each) { return tokens[each.to - 1].end(); };
     for (const bool isCoordinate : {false, true}) {
         for (const auto &[to, as] : {std::pair(both[1], both[0]), std::pair(both[0], both[1])}) {
             const QString own =
-                repairs.program().source().mid(startOf(*as), endOf(*as) - startOf(*as));
-            const QString other = mirrored(repairs, line, startOf(*as), endOf(*as), isCoordinate);
+                repairs.program().source().mid(startOf(as), endOf(as) - startOf(as));
+            const QString other = mirrored(repairs, line, startOf(as), endOf(as), isCoordinate);
             if (other != own)
-                repairs.replaceTelling(line, startOf(*to), endOf(*to), other);
+                repairs.replaceTelling(line, startOf(to), endOf(to), other);
         }
     }
 }
@@ -115,7 +139,7 @@ void repairMirror(RepairList &repairs, int line)
     const QString row = line < 1 || line > program.count() ? QString() : program.row(line);
     const QString head = headOf(row);
     if (head.isEmpty())
-        return;
+        return mirrorWithin(repairs, line);
     for (int at = std::max(1, line - near); at <= std::min(program.count(), line + near); ++at) {
         for (const bool isCoordinate : {false, true}) {
             const qsizetype start = program.startOf(at);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/repair_order.h"
 
+#include "tasks/judging/repair_list.h"
+
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -93,13 +95,13 @@ Naming namingOf(const QString &row)
     return naming;
 }
 
-/// What names of the first and of the second circle end with.
-constexpr std::pair<char, char> circleEnds[] = {{'1', '2'}, {'a', 'b'}, {'p', 'q'}};
-
-/// Whether a line stands twice, where only one is meant for the second, and this is the other.
+/// Whether a line stands twice, where only one is meant for the second or none at all, and this is
+/// the other.
 bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
 {
     const QString row = rows.value(line - 1);
+    if (changed.isEmpty())
+        return rows.value(line) == row;
     const auto stands = [&](int step) {
         for (int at = line - 1 + step; std::abs(at - line + 1) <= 2; at += step) {
             if (rows.value(at) == row)

@@ -83,21 +83,20 @@ QString RepairList::partnerOf(const QString &name) const
                                                {QStringLiteral("two"), QStringLiteral("one")},
                                                {QStringLiteral("self"), QStringLiteral("other")},
                                                {QStringLiteral("other"), QStringLiteral("self")}};
-    static const QList<std::pair<QChar, QChar>> ends{{QLatin1Char('1'), QLatin1Char('2')},
-                                                     {QLatin1Char('a'), QLatin1Char('b')},
-                                                     {QLatin1Char('p'), QLatin1Char('q')}};
     if (m_program.hasName(words.value(name)))
         return words.value(name);
-    for (const auto &[one, two] : ends) {
+    for (const auto &[one, two] : circleEnds) {
         QString partner = name;
         QChar &end = partner.back();
-        if (end != one && end != two)
+        if (end != QLatin1Char(one) && end != QLatin1Char(two))
             continue;
-        end = end == one ? two : one;
+        end = QLatin1Char(end == QLatin1Char(one) ? two : one);
         if (m_program.hasName(partner))
             return partner;
     }
-    return m_declared.value(name);
+    // Many number only what is of the second.
+    const QString other = name.endsWith(QLatin1Char('2')) ? name.chopped(1) : name + u'2';
+    return m_program.hasName(other) ? other : m_declared.value(name);
 }
 
 void repairPairs(RepairList &repairs, std::size_t i)

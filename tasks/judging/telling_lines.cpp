@@ -78,6 +78,53 @@ int copyLine(const QStringList &rows)
     return 0;
 }
 
+/// The first line that works something out of a value of the scene before that is set, at the top
+/// of the file or in on_load: it keeps what was there before. 0 if there is none.
+int earlyLine(const ProgramLines &program, const QStringList &fields)
+{
+    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    const auto isOfStart = [&](int line) {
+        const ProgramFunction *function = functionAt(functions, line);
+        return !function || function->name == QLatin1String("on_load");
+    };
+    const auto takes = [&](int line, const QString &field) {
+        return program.row(line).contains(
+            QRegularExpression(QStringLiteral("\\b%1\\b").arg(field)));
+    };
+    /// Also of what a function that it calls takes.
+    const auto isOf = [&](const ProgramAssignment &value, const QString &field) {
+        for (std::size_t i = value.from; i < value.to; ++i) {
+            if (program.tokens()[i].text == field)
+                return true;
+            const auto called =
+                std::find_if(functions.begin(), functions.end(), [&](const ProgramFunction &each) {
+                    return each.name == program.tokens()[i].text;
+                });
+            for (int line = called == functions.end() ? 1 : called->first;
+                 called != functions.end() && line <= called->last; ++line) {
+                if (takes(line, field))
+                    return true;
+            }
+        }
+        return false;
+    };
+    for (const ProgramAssignment &value : assignments) {
+        if (!isOfStart(value.line) || fields.contains(value.name))
+            continue;
+        const auto isSetLater = [&](const QString &field) {
+            return isOf(value, field)
+                   && std::any_of(assignments.begin(), assignments.end(), [&](const auto &each) {
+                          return each.name == field && each.line > value.line
+                                 && isOfStart(each.line);
+                      });
+        };
+        if (std::any_of(fields.begin(), fields.end(), isSetLater))
+            return value.line;
+    }
+    return 0;
+}
+
 /// The line that runs at the moment and works a value out only where there is none yet; 0 if there
 /// is none.
 int keepingLine(const QStringList &rows, const RanLines &ran)
@@ -129,11 +176,20 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
         return line;
     switch (deviation.suspect) {
     case Suspect::Masses:
+        // Where the own scene alone is wrong, the formula is right.
+        if (const int line =
+                deviation.moment.stage.pinned
+                    ? 0
+                    : earlyLine(program, {QStringLiteral("radius"), QStringLiteral("density")}))
+            return line;
         if (const int line = massLine(program, rows))
             return line;
         return namedMassLine(program);
     case Suspect::Copy:
-        return copyLine(rows);
+        if (const int line = copyLine(rows))
+            return line;
+        return earlyLine(program, {QStringLiteral("radius"), QStringLiteral("density"),
+                                   QStringLiteral("restitution"), QStringLiteral("gravity")});
     case Suspect::Kept:
         return keepingLine(rows, ran);
     case Suspect::Omission:

@@ -8,8 +8,8 @@
 
 namespace cradle {
 
-/// The line whose text tells that it is to blame: that of a mass, of a copied or kept value, of an
-/// angle; 0 if there is none.
+/// The line whose text tells that it is to blame: that of a mass, of a value that is copied or
+/// kept, or worked out too early, of an angle; 0 if there is none.
 [[nodiscard]] int tellingLine(const LawDeviation &deviation, const ProgramLines &program,
                               const QStringList &rows, const RanLines &ran);
 
