@@ -4,7 +4,7 @@
 # Sources of one room are compiled a few at a time: most of a compiler's work is to read what they
 # include. So what the unnamed namespaces of a room hold has different names in different files.
 # -DCRADLE_JOIN=OFF compiles each for itself, which proves that every source includes what it uses.
-option(CRADLE_JOIN "Compile a few sources of a room at a time" ON)
+option(CRADLE_JOIN "Compile a few sources of a room, or tests of a folder, at a time" ON)
 set(cradle_joined_sources 6)
 
 # cradle_join(TARGET): for the sources that the target has by now.

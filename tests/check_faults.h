@@ -102,10 +102,6 @@ inline bool alike(const std::optional<double> &a, const std::optional<double> &b
 
 } // namespace cradle::programs::faults
 
-Q_DECLARE_METATYPE(cradle::CheckSpec)
-Q_DECLARE_METATYPE(cradle::Observation)
-Q_DECLARE_METATYPE(cradle::programs::faults::Said)
-
 /// The check of the row says of its run what stands there, to the letter.
 #define COMPARE_FAULT()                                                                            \
     do {                                                                                           \

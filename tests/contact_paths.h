@@ -6,9 +6,6 @@
 
 #include <QMetaType>
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::Path)
-
 namespace cradle {
 
 inline constexpr double never = -1.0; ///< stands for "no contact" in tables of times

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-namespace cradle::programs {
+namespace cradle::programs::integration {
 
 /// Ways to move a circle, as pieces of a LawProgram.
 inline const QString euler = QStringLiteral("c.position = c.position + c.velocity * h "
@@ -15,4 +15,4 @@ inline const QString verlet =
     QStringLiteral("c.position = c.position + c.velocity * h + gravity * (h * h / 2) "
                    "c.velocity = c.velocity + gravity * h");
 
-} // namespace cradle::programs
+} // namespace cradle::programs::integration

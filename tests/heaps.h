@@ -27,15 +27,15 @@ inline Preset rows(int count, int columns, double radius, double apart)
     return preset;
 }
 
-/// The deepest overlap of two circles, or of one with a wall of a square of half width \p room (m),
+/// The deepest overlap of two circles, or of one with a wall of a square of half width \p wall (m),
 /// as a share of the smaller radius.
-inline double deepestOverlap(const std::vector<Circle> &circles, double room = halfWidth)
+inline double deepestOverlap(const std::vector<Circle> &circles, double wall = halfWidth)
 {
     double deepest = 0.0;
     for (std::size_t i = 0; i < circles.size(); ++i) {
         const Circle &a = circles[i];
         const double out = std::max(std::abs(a.position.x), std::abs(a.position.y)) + a.radius;
-        deepest = std::max(deepest, (out - room) / a.radius);
+        deepest = std::max(deepest, (out - wall) / a.radius);
         for (std::size_t j = 0; j < i; ++j) {
             const double sum = a.radius + circles[j].radius;
             if (std::abs(circles[j].position.x - a.position.x) < sum)

@@ -4,8 +4,6 @@
 
 #include "tests/lab_breakers.h"
 
-Q_DECLARE_METATYPE(cradle::authoring::Breaker)
-
 namespace cradle::authoring {
 
 /// A lab of two sound steps, of which the second is to be broken.

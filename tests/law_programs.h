@@ -267,6 +267,3 @@ inline LawProgram withHit(const QString &hit)
 }
 
 } // namespace cradle::programs
-
-Q_DECLARE_METATYPE(cradle::programs::LawProgram)
-Q_DECLARE_METATYPE(cradle::programs::HitLaw)

@@ -110,7 +110,7 @@ inline const QString impulse =
     lab("local j = (1 + restitution) * closing / (1 / m1 + 1 / m2) if closing > 0 then "
         "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n end");
 /// The centre of mass stays, what moves against it turns round.
-inline const QString centreOfMass =
+inline const QString aboutCentre =
     lab("local u = (m1 * p.velocity + m2 * q.velocity) / (m1 + m2) if closing > 0 then "
         "p.velocity = p.velocity + (1 + restitution) * (u - p.velocity):dot(n) * n "
         "q.velocity = q.velocity + (1 + restitution) * (u - q.velocity):dot(n) * n end");
@@ -172,7 +172,7 @@ inline OtherForm otherForm(const QString &step)
 }
 
 /// What makes another form, or a mistake, of a form.
-using Change = std::function<void(OtherForm &)>;
+using FormChange = std::function<void(OtherForm &)>;
 
 /// Replaces a piece of a part; it must be there.
 inline void edit(QString &part, const char *before, const char *after)

@@ -16,7 +16,7 @@ inline QString lua(const char *text)
 }
 
 /// Circle 1 in (-2, 2) with v = (2, 0), circle 2 at rest in (2, -1), gravity, e = 0.5.
-inline Preset twoCircles()
+inline Preset scriptScene()
 {
     Preset preset;
     preset.gravity = {0.0, -9.81};
@@ -53,7 +53,8 @@ struct ScriptRun {
 
 /// Loads \p source and makes \p steps steps, until one fails.
 inline ScriptRun runScript(const QString &source, int steps = 0,
-                           StudentScript::Options options = {}, const Preset &preset = twoCircles())
+                           StudentScript::Options options = {},
+                           const Preset &preset = scriptScene())
 {
     StudentScript program(source, options);
     ScriptRun run;

@@ -105,7 +105,7 @@ void TestApprovedHanded::classesAreUnderstoodAsApproved()
                          const std::vector<RosterRow> &roster = {}) {
         const Made made;
         fill(made);
-        all += QStringLiteral("== %1\n").arg(text(name)) + told(made, roster);
+        all += QStringLiteral("== %1\n").arg(text(name)) + understood(made, roster);
     };
     add("folders", addFolders);
     add("downloads", addDownloads);
@@ -139,7 +139,7 @@ void TestApprovedHanded::classesAreUnderstoodAsApproved()
         for (int i = 0; i < others; ++i)
             made.file("other" + QByteArray::number(i) + "/L1.lua");
         all += QStringLiteral("== downloads and %1 folders\n").arg(others)
-               + told(made, {row("", "ada_l", "Ada", "3")});
+               + understood(made, {row("", "ada_l", "Ada", "3")});
     }
     for (const int others : {0, 1, 2}) {
         const Made made;
@@ -147,7 +147,7 @@ void TestApprovedHanded::classesAreUnderstoodAsApproved()
         made.file("1/Bob_2_assignsubmission_file_/L2.lua");
         for (int i = 0; i < others; ++i)
             made.file("1/other" + QByteArray::number(i) + "/L1.lua");
-        all += QStringLiteral("== two of Moodle and %1\n").arg(others) + told(made);
+        all += QStringLiteral("== two of Moodle and %1\n").arg(others) + understood(made);
     }
     add("GitHub Classroom", [](const Made &made) {
         made.file("lab-submissions/lab-ada/steps/L1.lua");

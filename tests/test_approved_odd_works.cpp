@@ -27,7 +27,7 @@ void TestApprovedOddWorks::oddWorksAreReadAsApproved()
                          const std::vector<RosterRow> &roster = {}) {
         const Made made;
         fill(made);
-        all += QStringLiteral("== %1\n").arg(text(name)) + told(made, roster);
+        all += QStringLiteral("== %1\n").arg(text(name)) + understood(made, roster);
     };
     add("noise", [](const Made &made) {
         for (const char *name : {"Thumbs.db", "desktop.ini", "index.html", "__MACOSX/ada/L1.lua",

@@ -46,7 +46,7 @@ QString told(const QString &source)
 {
     QString all;
     StudentScript program(source);
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     auto error = program.begin(scene);
     World world = initialWorld(scene);
     for (int i = 0; i < 3 && !error && program.moves(); ++i) {
@@ -78,10 +78,10 @@ QString told(const QString &source)
             all += QStringLiteral("  %1 = %2\n").arg(local.name, local.value);
     }
     for (std::size_t i = 0; i < world.circles.size(); ++i) {
-        if (world.circles[i] != twoCircles().circles.at(i).body)
+        if (world.circles[i] != scriptScene().circles.at(i).body)
             all += QStringLiteral("circle%1 %2\n").arg(i + 1).arg(toldCircle(world.circles[i]));
     }
-    if (scene.gravity != twoCircles().gravity || scene.restitution != 0.5)
+    if (scene.gravity != scriptScene().gravity || scene.restitution != 0.5)
         all += QStringLiteral("g (%1, %2), e %3\n")
                    .arg(shortest(scene.gravity.x), shortest(scene.gravity.y),
                         shortest(scene.restitution));

@@ -9,9 +9,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Preset)
-Q_DECLARE_METATYPE(cradle::Timing)
-
 namespace {
 
 /// m beyond a wall, and of the sum of the radii two may overlap: roundings of a position.

@@ -6,8 +6,6 @@
 
 using namespace cradle;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-
 /// Numbers in the messages of checks: short, and never two alike that are not.
 class TestCheckFigures : public QObject
 {

@@ -123,9 +123,6 @@ Observation startsTooWide(double error)
 
 using Wrong = Observation (*)(double);
 
-Q_DECLARE_METATYPE(Wrong)
-Q_DECLARE_METATYPE(cradle::CheckSpec)
-
 /// Every check bears what roundings do and nothing more: a fifth less than its tolerance is right,
 /// a fifth more is wrong.
 class TestCheckTolerances : public QObject

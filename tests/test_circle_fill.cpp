@@ -12,8 +12,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::CircleFill)
-
 namespace {
 
 /// The closest pair, m between centres.

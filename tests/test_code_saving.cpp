@@ -174,7 +174,7 @@ void TestCodeSaving::secondWindowCannotType()
 void TestCodeSaving::otherProcessIsNamedAndEnds()
 {
     QProcess other;
-    other.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--type"), path()});
+    other.start(ownProgram(), {QStringLiteral("--type"), path()});
     QVERIFY(other.waitForReadyRead(30'000));
     Simulation simulation{Preset{}};
     CodeSession session(simulation);

@@ -9,9 +9,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-
 namespace {
 
 /// A density that makes a circle of 1 m weigh \p kilograms.

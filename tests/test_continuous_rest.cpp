@@ -11,11 +11,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Integrator)
-Q_DECLARE_METATYPE(cradle::Preset)
-
 /// What lies, slides and sticks together with continuous timing.
 class TestContinuousRest : public QObject
 {

@@ -9,11 +9,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Integrator)
-Q_DECLARE_METATYPE(cradle::Preset)
-
 /// The hits of circles inside a step.
 class TestContinuousStep : public QObject
 {

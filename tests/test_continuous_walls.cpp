@@ -10,10 +10,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Preset)
-
 namespace {
 
 /// Where a point that flies straight between two elastic walls at ±room is: the straight line,

@@ -11,9 +11,6 @@ using namespace cradle;
 using Kind = TimestepPattern::Kind;
 using Factors = std::vector<std::pair<double, double>>;
 
-Q_DECLARE_METATYPE(Kind)
-Q_DECLARE_METATYPE(Factors)
-
 /// Numbers of findings in words, and how a factor depends on the timestep.
 class TestDeviation : public QObject
 {

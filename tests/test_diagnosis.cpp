@@ -59,7 +59,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     QTest::addColumn<QString>("mistake");
     using namespace parts;
     const auto row = [](const char *step, const char *name, const char *mistake,
-                        const Change &change) {
+                        const FormChange &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
         QTest::addRow("%s %s", step, name) << lab(step) << form << lab(mistake);
@@ -160,7 +160,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         [](OtherForm &f) { f.mass = lab("7 * c.density * c.radius ^ 2"); });
     row("L42T14", "radius, centre of mass", "mass-from-radius", [](OtherForm &f) {
         f.mass = lab("c.density * c.radius");
-        f.answer = centreOfMass;
+        f.answer = aboutCentre;
     });
     row("L42T14", "each other's mass, impulse", "masses-exchanged", [](OtherForm &f) {
         f.answer.replace(lab("j / m1"), lab("j / mx")).replace(lab("j / m2"), lab("j / m1"));
@@ -173,7 +173,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     row("L42T16", "own e, squared", "e is squared in the hit of two circles",
         [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 2"); });
     row("L42T16", "no e, centre of mass", "e-forgotten", [](OtherForm &f) {
-        f.answer = centreOfMass;
+        f.answer = aboutCentre;
         f.answer.replace(lab("(1 + restitution)"), lab("2"));
     });
     row("L42T16", "no e for circle 2", "Along the normal only circle 1 feels e", [](OtherForm &f) {
@@ -221,7 +221,7 @@ void TestDiagnosis::unknownMistakeIsMeasured_data()
     QTest::addColumn<QString>("headline");
     using namespace parts;
     const auto row = [](const char *step, const char *name, const char *headline,
-                        const Change &change) {
+                        const FormChange &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
         QTest::addRow("%s %s", step, name) << lab(step) << form << lab(headline);
@@ -289,7 +289,7 @@ void TestDiagnosis::remarkIsMadeOnAnotherForm_data()
     QTest::addColumn<OtherForm>("form");
     QTest::addColumn<QString>("remark");
     using namespace parts;
-    const auto row = [](const char *step, const char *remark, const Change &change) {
+    const auto row = [](const char *step, const char *remark, const FormChange &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
         QTest::newRow(remark) << lab(step) << form << lab(remark);

@@ -52,8 +52,6 @@ std::vector<Circle> ofRadii(std::initializer_list<double> radii)
 
 } // namespace
 
-Q_DECLARE_METATYPE(std::vector<cradle::Circle>)
-
 /// Whoever is near is seen, and few others.
 class TestDiscGrid : public QObject
 {

@@ -10,10 +10,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Integrator)
-
 namespace {
 
 constexpr Laws walls{WallLaw::Reflect, CircleLaw::None, Timing::Discrete};

@@ -9,8 +9,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Integrator)
-
 namespace {
 
 constexpr double height = 3.8; // m, of the drop

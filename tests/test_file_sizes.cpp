@@ -15,8 +15,6 @@ using namespace cradle;
 
 using Reads = bool (*)(const QString &folder, const QString &path);
 
-Q_DECLARE_METATYPE(Reads)
-
 /// A file that is as large as it may be is read, and one that is a byte larger is not.
 class TestFileSizes : public QObject
 {

@@ -56,7 +56,7 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
     QTest::addColumn<QStringList>("said");
     using namespace parts;
     const auto row = [](const char *step, const char *name, const QStringList &said,
-                        const Change &change) {
+                        const FormChange &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
         QTest::addRow("%s %s", step, name) << lab(step) << form << said;
@@ -114,7 +114,7 @@ void TestFindings::oneFaultIsToldOnce_data()
     QTest::addColumn<QString>("said");
     using namespace parts;
     const auto row = [](const char *step, const char *name, const char *said,
-                        const Change &change) {
+                        const FormChange &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
         QTest::addRow("%s %s", step, name) << lab(step) << form << text(said);

@@ -7,6 +7,7 @@
 
 using namespace cradle;
 using namespace cradle::programs;
+using namespace cradle::programs::integration;
 
 /// What is said of the free motion of a program is what is wrong with it.
 class TestFlightLaw : public LabTest

@@ -7,6 +7,7 @@
 
 using namespace cradle;
 using namespace cradle::programs;
+using namespace cradle::programs::integration;
 
 /// What is measured of the free motion of a program is what the program does.
 class TestFlightMeasures : public LabTest

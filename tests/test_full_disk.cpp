@@ -17,8 +17,6 @@
 using namespace cradle;
 
 using Writer = std::function<std::optional<Error>(const QString &folder)>;
-Q_DECLARE_METATYPE(Writer)
-
 /// On a full disk everything that is saved stays as it was, and that it was not saved is said.
 class TestFullDisk final : public QObject
 {

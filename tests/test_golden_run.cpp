@@ -9,8 +9,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Timing)
-
 namespace {
 
 /// Twelve circles of several sizes and densities, all integrators, walls, gravity, e = 0.9.

@@ -200,7 +200,7 @@ end
 filled = 4 * 2^20
 block = "x"
 for i = 1, 17 do block = block .. block end)lua"));
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(!program.begin(scene));
     World world = initialWorld(scene);
     (void)program.advance(world, 0.1);
@@ -219,7 +219,7 @@ void TestHostileScripts::manyAtOnceDoNotDisturbEachOther()
     for (int i = 0; i < 50; ++i) {
         programs.push_back(std::make_unique<StudentScript>(
             lua("n = 0 function on_update() n = n + 1 circle1.position = vec(n, %1) end").arg(i)));
-        Preset scene = twoCircles();
+        Preset scene = scriptScene();
         QVERIFY(!programs.back()->begin(scene));
         worlds.push_back(initialWorld(scene));
     }

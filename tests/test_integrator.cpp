@@ -7,9 +7,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Integrator)
-Q_DECLARE_METATYPE(cradle::Timing)
-
 namespace {
 
 constexpr int steps = 200;

@@ -7,8 +7,6 @@
 using namespace cradle;
 using namespace cradle::authoring;
 
-Q_DECLARE_METATYPE(cradle::LabFiles)
-
 namespace {
 
 const QString masses = text("L42T14"); // it has remarks

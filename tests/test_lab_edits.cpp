@@ -9,8 +9,6 @@
 using namespace cradle;
 using namespace cradle::authoring;
 
-Q_DECLARE_METATYPE(cradle::LabFiles)
-
 namespace {
 
 const QString ballFolder = sourcePath("tasks/labs/bouncing-ball");

@@ -19,8 +19,6 @@
 
 using namespace cradle;
 
-Q_DECLARE_METATYPE(std::function<int()>)
-
 /// What a process that runs a student's program can still do, by processes that try.
 class TestLockdown : public QObject
 {

@@ -69,7 +69,7 @@ void TestLockedPrograms::changeStopsTheProgram()
     QVERIFY(run.error);
     QCOMPARE(run.error->line, line);
     QVERIFY2(run.error->message.contains(QStringLiteral("fixed this: ") + name), run.say());
-    QCOMPARE(run.scene, twoCircles());
+    QCOMPARE(run.scene, scriptScene());
     const ScriptRun free = runScript(program);
     QVERIFY2(!free.error, free.say());
 }
@@ -115,7 +115,7 @@ void TestLockedPrograms::sceneOfACheckKeepsItsValues()
                    .locked = {QStringLiteral("gravity"), QStringLiteral("circles/1/velocity"),
                               QStringLiteral("circles/1/radius")}});
     QVERIFY2(!run.error, run.say());
-    QCOMPARE(run.scene, twoCircles());
+    QCOMPARE(run.scene, scriptScene());
 }
 
 Lab TestLockedPrograms::lockedLab()

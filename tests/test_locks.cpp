@@ -40,8 +40,6 @@ using Change = void (*)(Preset &);
 
 } // namespace
 
-Q_DECLARE_METATYPE(Change)
-
 void TestLocks::everyFieldTellsItsOwnChange_data()
 {
     QTest::addColumn<Change>("change");

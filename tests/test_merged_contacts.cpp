@@ -11,8 +11,6 @@ using namespace cradle::scenes;
 
 using Action = void (*)(Simulation &);
 
-Q_DECLARE_METATYPE(Action)
-
 /// Exact timing says when it cannot follow a heap any longer, and ends; its steps and the search
 /// for a hit can be taken in parts.
 class TestMergedContacts : public QObject

@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <new>
 
-Q_DECLARE_METATYPE(cradle::Timing)
-
 namespace {
 
 std::atomic<int> allocations{0};

@@ -10,8 +10,6 @@ using namespace cradle;
 using Kind = Condition::Kind;
 
 using Rule = std::function<bool(const Occasion &)>;
-Q_DECLARE_METATYPE(Rule)
-
 /// What some of several alike things have in common is told from what they were like.
 class TestOccasions : public QObject
 {

@@ -47,7 +47,7 @@ void TestOtherForms::correctWorkOfAnotherFormPasses_data()
          {"L42T1", "L42T2", "L42T3", "L42T4", "L42T5", "L42T7", "L42T8", "L42T9", "L42T10",
           "L42T11", "L42T12", "L42T13", "L42T14", "L42T15", "L42T16", "L42T17"})
         QTest::newRow(step) << lab(step) << otherForm(lab(step));
-    const auto row = [](const char *step, const char *name, const Change &change) {
+    const auto row = [](const char *step, const char *name, const FormChange &change) {
         OtherForm form = otherForm(lab(step));
         change(form);
         QTest::newRow(name) << lab(step) << form;
@@ -55,8 +55,8 @@ void TestOtherForms::correctWorkOfAnotherFormPasses_data()
     row("L42T2", "step 2, clamped", [](OtherForm &f) { f.walls = clamp; });
     row("L42T12", "step 12, circles before walls", [](OtherForm &f) { f.circlesFirst = true; });
     row("L42T12", "step 12, Euler", [](OtherForm &f) { f.integrate = euler; });
-    row("L42T14", "step 14, centre of mass", [](OtherForm &f) { f.answer = centreOfMass; });
-    row("L42T16", "step 16, centre of mass", [](OtherForm &f) { f.answer = centreOfMass; });
+    row("L42T14", "step 14, centre of mass", [](OtherForm &f) { f.answer = aboutCentre; });
+    row("L42T16", "step 16, centre of mass", [](OtherForm &f) { f.answer = aboutCentre; });
     row("L42T16", "step 16, e = 0.1",
         [](OtherForm &f) { edit(f.start, "restitution = 0.6", "restitution = 0.1"); });
     row("L42T17", "step 17, Euler", [](OtherForm &f) { f.integrate = euler; });

@@ -16,4 +16,7 @@ namespace cradle {
 [[nodiscard]] QString cliProgram();
 [[nodiscard]] QString desktopProgram();
 
+/// The running test, as a program: started again it is the same test.
+[[nodiscard]] QString ownProgram();
+
 } // namespace cradle

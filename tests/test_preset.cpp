@@ -11,11 +11,6 @@ using namespace cradle::scenes;
 
 using Setter = std::function<void(Preset &, double)>;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Preset)
-Q_DECLARE_METATYPE(Setter)
-
 namespace {
 
 Preset valid()

@@ -11,11 +11,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::WallLaw)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Timing)
-Q_DECLARE_METATYPE(cradle::Integrator)
-
 /// What a scene file says is what is read, and what is written reads back the same.
 class TestPresetJson : public QObject
 {

@@ -7,10 +7,6 @@
 using namespace cradle;
 using namespace cradle::scenes;
 
-Q_DECLARE_METATYPE(cradle::Vec2)
-Q_DECLARE_METATYPE(cradle::CircleLaw)
-Q_DECLARE_METATYPE(cradle::Preset)
-
 /// Where the circles of a scene may be.
 class TestPresetPlaces : public QObject
 {

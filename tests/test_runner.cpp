@@ -5,8 +5,6 @@
 #include "model/run/inferred_hits.h"
 #include "tests/simulation_scenes.h"
 
-Q_DECLARE_METATYPE(cradle::Runner::Bounds)
-
 using namespace cradle;
 using namespace cradle::scenes;
 

@@ -46,14 +46,14 @@ struct Elsewhere {
 Elsewhere runElsewhere(const QString &source, int steps)
 {
     static std::vector<std::unique_ptr<StudentScript>> others;
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     others.push_back(
         std::make_unique<StudentScript>(lua("t = {} for i = 1, 999 do t[i] = {} end")));
     (void)others.back()->begin(scene);
 
     StudentScript program(source);
     Elsewhere made;
-    Preset own = twoCircles();
+    Preset own = scriptScene();
     made.run.error = program.begin(own);
     World world = initialWorld(own);
     for (int i = 0; i < steps && !made.run.error && program.moves(); ++i) {
@@ -253,7 +253,7 @@ void TestSameVerdict::aRunCanBeStoppedInTheMiddleOfAStep()
     int asked = 0;
     StudentScript program(lua("function on_update() while true do end end"),
                           {.locked = {}, .stop = [&] { return ++asked > 3; }});
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(!program.begin(scene));
     World world = initialWorld(scene);
     QVERIFY(program.advance(world, 0.1));
@@ -263,7 +263,7 @@ void TestSameVerdict::aRunCanBeStoppedInTheMiddleOfAStep()
     const QString endless = lua("function on_update() if step > 4 then while true do end end end");
     asked = -20;
     const Observation o =
-        observe({QStringLiteral("own"), twoCircles(), 1.0}, &endless, [&] { return ++asked > 3; });
+        observe({QStringLiteral("own"), scriptScene(), 1.0}, &endless, [&] { return ++asked > 3; });
     QVERIFY(!o.error);
     QCOMPARE(o.steps(), 5);
 }
@@ -362,7 +362,7 @@ void TestSameVerdict::probeEndsWithItsWork()
 {
     const QString program = lua("function on_update(dt)\n  for i = 1, 100000 do end\nend");
     const auto steps = [&] {
-        Probe probe(&program, {twoCircles(), true});
+        Probe probe(&program, {scriptScene(), true});
         int made = 0;
         while (made < 20 && probe.step())
             ++made;

@@ -118,7 +118,7 @@ function on_update(dt)
     circle1.position = circle1.position / 0
   end
 end)lua");
-    const Observation o = observe({QStringLiteral("preset"), twoCircles(), 1.0}, &program);
+    const Observation o = observe({QStringLiteral("preset"), scriptScene(), 1.0}, &program);
     QVERIFY(o.error);
     QCOMPARE(o.error->line, 5);
     QCOMPARE(o.error->step, 5);

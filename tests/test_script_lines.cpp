@@ -46,7 +46,7 @@ std::vector<int> TestScriptLines::linesOf(StudentScript &program, const World &w
 void TestScriptLines::start(const char *source)
 {
     m_program = std::make_unique<StudentScript>(lua(source));
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     const auto error = m_program->begin(scene);
     QVERIFY2(!error, error ? error->message.toUtf8().constData() : "");
     m_world = initialWorld(scene);

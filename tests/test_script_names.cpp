@@ -118,7 +118,7 @@ void TestScriptNames::misspeltNameIsToldTheRightOne()
 
 void TestScriptNames::oneCircleIsToldInTheSingular()
 {
-    Preset preset = twoCircles();
+    Preset preset = scriptScene();
     preset.circles.pop_back();
     VERIFY_STOPS(runScript(lua("print(circle2)"), 0, {}, preset), 1,
                  lua("there is no circle2: the scene has 1 circle"));

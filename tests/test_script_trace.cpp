@@ -33,7 +33,7 @@ private:
 void TestScriptTrace::start(const char *source)
 {
     m_program = std::make_unique<StudentScript>(lua(source));
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     const auto error = m_program->begin(scene);
     QVERIFY2(!error, error ? error->message.toUtf8().constData() : "");
     m_world = initialWorld(scene);
@@ -85,7 +85,7 @@ void TestScriptTrace::whatThePinnedSceneKeepsIsNotChanged()
 {
     start("function on_update(dt)\n  circle1.radius = 3\n  circle1.velocity = vec(9, 9)\nend");
     m_program->setPinned(true);
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(!m_program->begin(scene));
     const std::vector<Assignment> wanted{{0, 2, Field::Radius, false, {}},
                                          {0, 3, Field::Velocity, true, {}}};

@@ -14,8 +14,6 @@ using namespace cradle::scenes;
 
 using Action = void (*)(Simulation &);
 
-Q_DECLARE_METATYPE(Action)
-
 namespace {
 
 /// A circle that is thrown sideways, with nothing to meet for a second.

@@ -12,8 +12,6 @@ using namespace cradle::scenes;
 
 using Action = void (*)(Simulation &);
 
-Q_DECLARE_METATYPE(Action)
-
 /// How fast a run goes, and when it stands.
 class TestSimulationPace : public QObject
 {

@@ -62,7 +62,7 @@ void TestStudentScript::lawsMoveWithoutAnUpdate()
 {
     const QString program = lua("function on_load() circle1.velocity = vec(3, 0) end");
     QVERIFY(!runScript(program).moves);
-    const Observation o = observe({QStringLiteral("preset"), twoCircles(), 0.1}, &program);
+    const Observation o = observe({QStringLiteral("preset"), scriptScene(), 0.1}, &program);
     QVERIFY(!o.error);
     QCOMPARE(o.steps(), 6);
     // Euler: x = 3 t, and gravity acts on circle 1 from the second step on.
@@ -75,7 +75,7 @@ void TestStudentScript::updateAloneMovesTheCircles()
     const ScriptRun run = runScript(
         lua("function on_update(dt) circle2.position = circle2.position + vec(1, 0) * dt end"), 60);
     VERIFY_RUNS(run);
-    QCOMPARE(run.circle(1), twoCircles().circles[0].body);
+    QCOMPARE(run.circle(1), scriptScene().circles[0].body);
     QCOMPARE(run.circle(2).position.x, 3.0);
 }
 
@@ -89,7 +89,7 @@ function on_update(dt)
   circle1.position = old + vec(1, 1)
   print(old, circle1.position)
 end)lua"));
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(!program.begin(scene));
     World world = initialWorld(scene);
     QString text;
@@ -143,7 +143,7 @@ end)lua");
     VERIFY_RUNS(run);
     QCOMPARE(run.output.text, lua("(0, -9.81)\t0.5\t(-2, 2)\t(2, 0)\t0.25\t2.0\n"
                                   "0.2\t0.5\t(0, -9.81)\t0.5\n"));
-    QCOMPARE(run.scene, twoCircles());
+    QCOMPARE(run.scene, scriptScene());
     QCOMPARE(run.circle(1).velocity, (Vec2{0.0, 1.0}));
 }
 
@@ -177,7 +177,7 @@ void TestStudentScript::ownFieldsStayFromStepToStep()
 function on_load() circle1.count, circle1.label, circle2.mass = 0, "a", 2.5 end
 function on_update() circle1.count = circle1.count + 1 end)lua");
     StudentScript program(source);
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(program.ownFields().empty());
     QVERIFY(!program.begin(scene));
     World world = initialWorld(scene);
@@ -197,7 +197,7 @@ void TestStudentScript::tooManyOwnFieldsAreNotShown()
                                    .arg(first)
                                    .arg(second);
         StudentScript program(source);
-        Preset scene = twoCircles();
+        Preset scene = scriptScene();
         QVERIFY(!program.begin(scene));
         const std::vector<CircleField> fields = program.ownFields();
         const auto of = [&](int circle) {
@@ -213,7 +213,7 @@ void TestStudentScript::beginStartsAnew()
 {
     StudentScript program(lua("n = 0\nfunction on_update() n = n + 1 print(n) end"));
     for (int run = 0; run < 2; ++run) {
-        Preset scene = twoCircles();
+        Preset scene = scriptScene();
         QVERIFY(!program.begin(scene));
         World world = initialWorld(scene);
         QVERIFY(!program.advance(world, 0.1));
@@ -274,7 +274,7 @@ void TestStudentScript::outputIsTakenOnce()
 {
     StudentScript program(lua("print(1)\nplot('a', 2)\ndraw.point(vec(0, 0))"));
     QVERIFY(program.takeOutput().isEmpty());
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(!program.begin(scene));
     const ProgramOutput output = program.takeOutput();
     QCOMPARE(output.text, lua("1\n"));

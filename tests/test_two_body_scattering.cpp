@@ -60,9 +60,6 @@ struct Scattering {
 
 } // namespace
 
-Q_DECLARE_METATYPE(Scattering)
-Q_DECLARE_METATYPE(cradle::Timing)
-
 /// One glancing hit of two free circles, told to rounding by a closed formula, at every phase of
 /// the step.
 class TestTwoBodyScattering : public QObject

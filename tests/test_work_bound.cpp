@@ -46,7 +46,7 @@ std::optional<qint64> boundOf(const QString &program)
 }
 
 /// What is counted of a program in its first \p steps.
-qint64 countOf(const QString &program, int steps, const Preset &preset = twoCircles())
+qint64 countOf(const QString &program, int steps, const Preset &preset = scriptScene())
 {
     StudentScript script(program);
     Preset scene = preset;
@@ -304,7 +304,7 @@ void TestWorkBound::linesAreWalkedAsEver()
             "end");
     QVERIFY(takesLittle(program, 2));
     StudentScript script(program);
-    Preset scene = twoCircles();
+    Preset scene = scriptScene();
     QVERIFY(!script.begin(scene));
     World world = initialWorld(scene);
     QCOMPARE(script.linesOf(world, 0.125), (std::vector<int>{3, 4, 5}));

@@ -25,7 +25,8 @@ inline QString placed(QString said, const QByteArray &root)
     return root.isEmpty() ? said : said.replace(QString::fromUtf8(root), text("CLASS"));
 }
 
-inline QString told(const HandedIn &handed)
+/// What is understood of one student's work, or of a class, line by line.
+inline QString understood(const HandedIn &handed)
 {
     QString all;
     const JudgingRequest &request = handed.request;
@@ -46,7 +47,7 @@ inline QString told(const HandedIn &handed)
     return all;
 }
 
-inline QString told(const Made &made, const std::vector<RosterRow> &roster = {})
+inline QString understood(const Made &made, const std::vector<RosterRow> &roster = {})
 {
     const ClassFolder found = made.read(roster);
     QString all = QStringLiteral("platform %1\n").arg(int(found.platform));
@@ -62,7 +63,7 @@ inline QString told(const Made &made, const std::vector<RosterRow> &roster = {})
                    .arg(int(student.platform))
                    .arg(student.lateDays)
                    .arg(student.how, student.remark);
-        all += told(handedInBy(found, int(i)));
+        all += understood(handedInBy(found, int(i)));
     }
     for (const auto &[index, count] : {std::pair(1, 2), {2, 2}, {3, 3}}) {
         all += QStringLiteral("shard %1 of %2:").arg(index).arg(count);

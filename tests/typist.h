@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/test_paths.h"
+
 #include <QCoreApplication>
 #include <QProcess>
 #include <QTimer>
@@ -41,8 +43,7 @@ inline std::vector<std::unique_ptr<QProcess>> typistsIn(const QStringList &folde
     std::vector<std::unique_ptr<QProcess>> typists;
     for (const QString &folder : folders) {
         typists.push_back(std::make_unique<QProcess>());
-        typists.back()->start(QCoreApplication::applicationFilePath(),
-                              {QStringLiteral("--type"), folder});
+        typists.back()->start(ownProgram(), {QStringLiteral("--type"), folder});
     }
     return typists;
 }

@@ -15,7 +15,7 @@
 
 namespace cradle {
 
-inline Preset twoCircles()
+inline Preset inspectedScene()
 {
     Preset preset;
     preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Discrete};
@@ -46,7 +46,7 @@ public:
     static void type(NumberField *into, const QString &text, int key);
     [[nodiscard]] const Preset &preset() const { return document.preset(); }
 
-    Simulation simulation{twoCircles()};
+    Simulation simulation{inspectedScene()};
     PresetDocument document{simulation};
     Inspector inspector{document};
 };

@@ -148,5 +148,3 @@ private:
 };
 
 } // namespace cradle::windows
-
-Q_DECLARE_METATYPE(cradle::windows::RoomState)

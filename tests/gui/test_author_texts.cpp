@@ -47,7 +47,7 @@ void TestAuthorTexts::unknownNamesAreFound()
     QFETCH(const QString, text);
     QFETCH(const QStringList, names);
     Task task;
-    task.preset = twoCircles();
+    task.preset = inspectedScene();
     task.solution = QStringLiteral("local function bounce() end");
     QStringList found;
     for (const UnknownName &name : unknownNames(text, textNames(task))) {
@@ -88,8 +88,6 @@ ParameterInfo info(ParameterInfo::Type type)
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(ParameterInfo::Type)
 
 void TestAuthorTexts::valuesAreReadAsTheyAreShown_data()
 {

@@ -12,8 +12,6 @@ using namespace cradle;
 using namespace cradle::programs;
 using cradle::windows::OpenWindow;
 
-Q_DECLARE_METATYPE(cradle::programs::HostileProgram)
-
 /// Programs that hang or overflow, run in the window: it says so and lives on.
 class TestHostileWindow final : public QObject
 {

@@ -184,7 +184,7 @@ void TestInspector::resetsToTheStepsScene()
                  Qt::Key_Return);
     QVERIFY(reset->isEnabled());
     QTest::mouseClick(reset, Qt::LeftButton);
-    QCOMPARE(m_open->preset(), twoCircles());
+    QCOMPARE(m_open->preset(), inspectedScene());
     QVERIFY(!reset->isEnabled());
     m_open->document.undoStack().undo();
     QCOMPARE(m_open->preset().gravity.y, -1.0);

@@ -57,7 +57,7 @@ void TestInspectorCircles::cellTakesANumber()
 void TestInspectorCircles::massIsAPlainNumber()
 {
     const auto massWith = [this](double radius) {
-        Preset preset = twoCircles();
+        Preset preset = inspectedScene();
         preset.circles[0].body.radius = radius;
         m_open->document.edit(QStringLiteral("Radius"), preset);
         const QModelIndex cell = m_open->table()->model()->index(0, CircleTableModel::Mass);
@@ -103,7 +103,7 @@ void TestInspectorCircles::refusedNumberStaysInSight()
     QCOMPARE(cell->text(), QStringLiteral("-1"));
     m_open->field(QStringLiteral("Restitution"))->setFocus();
     QVERIFY(!m_open->says(QStringLiteral("Not possible")));
-    QCOMPARE(m_open->preset(), twoCircles());
+    QCOMPARE(m_open->preset(), inspectedScene());
 }
 
 void TestInspectorCircles::spaceBelongsToTheShortcut()
@@ -168,7 +168,7 @@ void TestInspectorCircles::addsDuplicatesAndRemoves()
     m_open->table()->setFocus();
     QTest::keyClick(m_open->table(), Qt::Key_Delete);
     QTest::mouseClick(m_open->button(QStringLiteral("Remove")), Qt::LeftButton);
-    QCOMPARE(m_open->preset(), twoCircles());
+    QCOMPARE(m_open->preset(), inspectedScene());
 }
 
 void TestInspectorCircles::selectionIsToldOnce()
@@ -199,10 +199,10 @@ void TestInspectorCircles::editingACircleEndsTheFill()
 
 void TestInspectorCircles::duplicateStaysOnlyWhereCirclesPass()
 {
-    Preset passing = twoCircles();
+    Preset passing = inspectedScene();
     passing.laws.circles = CircleLaw::None;
     QCOMPARE(withDuplicate(passing, 1).circles[2].body, passing.circles[1].body);
-    const Preset beside = withDuplicate(twoCircles(), 1);
+    const Preset beside = withDuplicate(inspectedScene(), 1);
     QVERIFY(!findFault(beside));
     QVERIFY(length(beside.circles[2].body.position - beside.circles[1].body.position) < 0.6);
     QCOMPARE(withAddedCircle(passing, Vec2{1.0, 2.0}).circles[2].body.position, (Vec2{1.0, 2.0}));

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "open_window.h"
 #include "tests/git_home.h"
+#include "tests/test_paths.h"
 #include "tests/typist.h"
 
 #include "views/code/code_editor.h"
@@ -68,8 +69,7 @@ void TestKilledWindow::losesLittleAndLeavesNothing()
     environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), folder.path());
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
     process.setProcessEnvironment(environment);
-    process.start(QCoreApplication::applicationFilePath(),
-                  {QStringLiteral("--type"), folder.path()});
+    process.start(ownProgram(), {QStringLiteral("--type"), folder.path()});
     QVERIFY(process.waitForReadyRead(60'000));
     const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
     const int keys = keysUntilKilled(process, most);

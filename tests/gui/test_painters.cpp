@@ -146,7 +146,7 @@ void TestPainters::theyDoAtTwiceTheScale()
     environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
     other.setProcessEnvironment(environment);
     other.setProcessChannelMode(QProcess::MergedChannels);
-    other.start(QCoreApplication::applicationFilePath());
+    other.start(ownProgram());
     QVERIFY(other.waitForFinished(240'000));
     const QByteArray said = other.readAll();
     QVERIFY2(other.exitStatus() == QProcess::NormalExit && other.exitCode() == 0,

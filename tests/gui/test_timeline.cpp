@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/script/student_script.h"
 #include "tests/cpu_timer.h"
+#include "tests/gui/chart_scenes.h"
 #include "views/timeline.h"
 
 #include <QAccessible>
@@ -19,12 +20,6 @@ Preset bouncing(double speed = 8.0)
     preset.laws.timing = Timing::Continuous;
     preset.circles = {{QStringLiteral("ball"), {{0.0, 0.0}, {speed, 0.0}}}};
     return preset;
-}
-
-void run(Simulation &simulation, int steps)
-{
-    for (int i = 0; i < steps; ++i)
-        simulation.stepForward();
 }
 
 bool overlapping(const std::vector<Timeline::Label> &labels)
