@@ -95,12 +95,12 @@ protected:
     /// is right with some timesteps, the one with which it is most wrong does.
     [[nodiscard]] std::size_t shownTimestep(const TimestepPattern &p, const Part &part = {}) const
     {
-        using Kind = TimestepPattern::Kind;
-        if (p.kind != Kind::Fixed && (p.kind != Kind::Other || !part))
+        const bool fixed = p.kind == TimestepPattern::Kind::Fixed;
+        if (!fixed && (p.kind != TimestepPattern::Kind::Other || !part))
             return 0;
         const auto &all = m_ground.timesteps;
         const auto off = [&](double h) {
-            if (p.kind == Kind::Fixed)
+            if (fixed)
                 return std::abs(std::log(h / p.value));
             return std::abs(part(m_own.at(gravity(), h, m_i)) / part(m_right.at(gravity(), h, m_i))
                             - 1.0);
