@@ -46,8 +46,10 @@ int placedBy(const Steps &first, const Steps &second, std::size_t i)
 {
     constexpr double near = 0.3; // m: more than a step's way, and than what a hit pushes it aside
     const auto isBeside = [&](const Steps &run, std::size_t j) {
+        if (!run.made)
+            return false;
         const Vec2 now = run.before[i].position;
-        return run.made && length(now - run.start[j].position) < near
+        return length(now - run.start[j].position) < near
                && length(now - run.start[i].position) > 3.0 * near;
     };
     for (std::size_t j = 0; j < first.start.size(); ++j) {
