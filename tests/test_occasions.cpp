@@ -66,6 +66,7 @@ void TestOccasions::conditionIsFound_data()
     row("not the first", Kind::NotFirst, 0.0, [](O one) { return one.number > 1; });
     row("the first three", Kind::FirstFew, 3.0, [](O one) { return one.number <= 3; });
     row("after three", Kind::AfterFew, 4.0, [](O one) { return one.number > 3; });
+    row("the last two, by chance", Kind::Sometimes, 0.0, [](O one) { return one.number > 6; });
     row("odd", Kind::OddOnes, 0.0, [](O one) { return one.number % 2 == 1; });
     row("even", Kind::EvenOnes, 0.0, [](O one) { return one.number % 2 == 0; });
     row("pause", Kind::Pause, 1.0, [](O one) { return one.pause > 0.5; });

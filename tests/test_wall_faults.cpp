@@ -138,6 +138,10 @@ void addWalls()
            "Turns at walls in 1 s: 0; at least 1 must be seen to judge them. From 0.3 s on nothing "
            "moved",
            10, 1.0, 0.0);
+    // A wall may put it back in the last step alone.
+    addRow("in place in the last step", check("bounces", {1}),
+           drift(beside({.velocity = {1, 0}}), {{9, [](Circles &c) { c[1].velocity = {}; }}}),
+           "Turns at walls in 1 s: 0; at least 1 must be seen to judge them", 10, 1.0, 0.0);
     // The other one may push it back to the wall in every step.
     addRow(
         "stuck beside the other one", check("bounces", {1}, {{QStringLiteral("collisions"), true}}),

@@ -3075,8 +3075,8 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>يجب أن تغيّر الجاذبية السرعة في كل خطوة: ابحث عن السطر الذي يفعل ذلك، وعمّا يُسأل قبله.</translation>
     </message>
     <message>
-        <source>The velocity of %who changes although it touches nothing</source>
-        <translation>تتغير سرعة %who مع أنها لا تلمس شيئًا</translation>
+        <source>The velocity of %who changes far from everything</source>
+        <translation>تتغير سرعة %who بعيدًا عن كل شيء</translation>
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from every wall and every other circle; gravity gives it %4 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>

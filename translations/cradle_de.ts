@@ -3051,8 +3051,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>In jedem Schritt muss die Schwerkraft seine Geschwindigkeit ändern: Suche die Zeile, die das tut, und sieh dir an, was vor ihr gefragt wird.</translation>
     </message>
     <message>
-        <source>The velocity of %who changes although it touches nothing</source>
-        <translation>Die Geschwindigkeit ändert sich für %who, obwohl nichts berührt wird</translation>
+        <source>The velocity of %who changes far from everything</source>
+        <translation>Fern von allem ändert sich die Geschwindigkeit für %who</translation>
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from every wall and every other circle; gravity gives it %4 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>

@@ -3051,8 +3051,8 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>À chaque pas, la pesanteur doit changer la vitesse&#xa0;: cherchez la ligne qui le fait, et ce qui est demandé avant elle.</translation>
     </message>
     <message>
-        <source>The velocity of %who changes although it touches nothing</source>
-        <translation>La vitesse change sans rien toucher, pour %who</translation>
+        <source>The velocity of %who changes far from everything</source>
+        <translation>Loin de tout, la vitesse change pour %who</translation>
     </message>
     <message>
         <source>Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from every wall and every other circle; gravity gives it %4 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>

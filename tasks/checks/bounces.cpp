@@ -52,7 +52,7 @@ Fault tooFewHits(const Observation &o, int seen, int wanted, bool apart)
     const qint64 rest = restingFrom(o);
     if (rest == 0)
         said += WallHitText::tr(". Nothing moved");
-    else if (rest < o.steps())
+    else if (rest + 1 < o.steps()) // a wall may put them back in the last step alone
         said += WallHitText::tr(". From %1 s on nothing moved")
                     .arg(motion::figure(o.states.time(rest)));
     return {.message = said, .expected = wanted, .observed = seen, .step = o.steps()};

@@ -184,7 +184,7 @@ private:
         FlightSaid fault = said(
             length(f.fromRest.velocity) < 1e-9
                 ? FlightText::tr("Gravity leaves %who at rest")
-                : FlightText::tr("The velocity of %who changes although it touches nothing"),
+                : FlightText::tr("The velocity of %who changes far from everything"),
             FlightText::tr("Let go at rest, it has %1 m/s one step of %2 s later, far from every "
                            "wall and every other circle; gravity gives it %3 m/s in a step. Thrown "
                            "with %4 m/s it goes on as it should.")
@@ -201,7 +201,7 @@ private:
     [[nodiscard]] FlightSaid leapSaid(const Flight::Leap &leap) const
     {
         FlightSaid fault = said(
-            FlightText::tr("The velocity of %who changes although it touches nothing"),
+            FlightText::tr("The velocity of %who changes far from everything"),
             FlightText::tr("Thrown with %1 m/s, it has %2 m/s one step of %3 s later, far from "
                            "every wall and every other circle; gravity gives it %4 m/s in a step. "
                            "Look at which lines change its velocity there, and at what is asked "

@@ -103,6 +103,9 @@ std::optional<Condition> byNumber(const Division &by, int Occasion::*number)
     return std::nullopt;
 }
 
+/// Of 14, two are the last by chance in one of a hundred ways to count; three are not.
+constexpr int fewestOfMany = 3;
+
 /// The same with another number than the first.
 std::optional<Condition> byHigherNumber(const Division &by, int Occasion::*number)
 {
@@ -141,7 +144,7 @@ std::vector<Condition> conditionsOf(const std::vector<Occasion> &occasions)
         all.push_back({Kind::BeforeHit});
     if (by.is([](const Occasion &one) { return one.hasHit; }))
         all.push_back({Kind::AfterHit});
-    if (all.empty())
+    if (all.empty() && std::min(right, wrong) >= fewestOfMany)
         takeNumber(all, by, byHigherNumber);
     const auto take = [&](const std::optional<Condition> &one) {
         if (one)
