@@ -105,18 +105,21 @@ void addFreeMotion()
         0.1, 0.11, "m");
     addRow("never free", check("integrates", {1}), drift(beside({.position = {3.85, 0}}), {}),
            "Circle 2 was free of walls and other circles for 0 s only; at least 0.1 s must be seen "
-           "to judge its motion. For 1 s it was at a wall or beyond it: look at what it does there",
+           "to judge its motion. For 1 s it was within a step's way of a wall or beyond it: look "
+           "at what it does there",
            0, 0.1, 0.0, "s");
     addRow("never free of the other one",
            check("integrates", {1}, {{QStringLiteral("collisions"), true}}),
            drift(beside({.position = {0.3, 0}}), {}),
            "Circle 2 was free of walls and other circles for 0 s only; at least 0.1 s must be seen "
-           "to judge its motion. For 1 s it was at another circle: look at what it does there",
+           "to judge its motion. For 1 s it was within a step's way of another circle: look at "
+           "what it does there",
            0, 0.1, 0.0, "s");
     addRow("never free of both", check("integrates", {1}),
            drift({{.position = {3.5, 0}}, {.position = {3.85, 0}}}, {}),
            "Circle 2 was free of walls and other circles for 0 s only; at least 0.1 s must be seen "
-           "to judge its motion. For 1 s it was at a wall or beyond it, for 1 s at another circle: "
+           "to judge its motion. For 1 s it was within a step's way of a wall or beyond it, for 1 "
+           "s of another circle: "
            "look at what it does there",
            0, 0.1, 0.0, "s");
     addRow("no integrator", check("same_integrator", {0, 1}),

@@ -1145,16 +1145,16 @@
         <translation>. ابتداءً من ⁦%1 s⁩ لم يتحرك شيء</translation>
     </message>
     <message>
-        <source>. For %1 s it was at a wall or beyond it, for %2 s at another circle: look at what it does there</source>
-        <translation>. كانت ⁦%1 s⁩ عند جدار أو وراءه، و⁦%2 s⁩ عند دائرة أخرى: انظر ما تفعله هناك</translation>
+        <source>. For %1 s it was within a step&apos;s way of a wall or beyond it, for %2 s of another circle: look at what it does there</source>
+        <translation>. كانت ⁦%1 s⁩ على بعد خطوة على الأكثر من جدار أو وراءه، و⁦%2 s⁩ من دائرة أخرى: انظر ما تفعله هناك</translation>
     </message>
     <message>
-        <source>. For %1 s it was at a wall or beyond it: look at what it does there</source>
-        <translation>. كانت ⁦%1 s⁩ عند جدار أو وراءه: انظر ما تفعله هناك</translation>
+        <source>. For %1 s it was within a step&apos;s way of a wall or beyond it: look at what it does there</source>
+        <translation>. كانت ⁦%1 s⁩ على بعد خطوة على الأكثر من جدار أو وراءه: انظر ما تفعله هناك</translation>
     </message>
     <message>
-        <source>. For %1 s it was at another circle: look at what it does there</source>
-        <translation>. كانت ⁦%1 s⁩ عند دائرة أخرى: انظر ما تفعله هناك</translation>
+        <source>. For %1 s it was within a step&apos;s way of another circle: look at what it does there</source>
+        <translation>. كانت ⁦%1 s⁩ على بعد خطوة على الأكثر من دائرة أخرى: انظر ما تفعله هناك</translation>
     </message>
     <message>
         <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>

@@ -1137,16 +1137,16 @@
         <translation>. Ab %1 s bewegte sich nichts</translation>
     </message>
     <message>
-        <source>. For %1 s it was at a wall or beyond it, for %2 s at another circle: look at what it does there</source>
-        <translation>. %1 s lang war er an einer Wand oder jenseits von ihr, %2 s lang an einem anderen Kreis: Sieh dir an, was er dort tut</translation>
+        <source>. For %1 s it was within a step&apos;s way of a wall or beyond it, for %2 s of another circle: look at what it does there</source>
+        <translation>. %1 s lang war er höchstens den Weg eines Schritts von einer Wand entfernt oder jenseits von ihr, %2 s lang von einem anderen Kreis: Sieh dir an, was er dort tut</translation>
     </message>
     <message>
-        <source>. For %1 s it was at a wall or beyond it: look at what it does there</source>
-        <translation>. %1 s lang war er an einer Wand oder jenseits von ihr: Sieh dir an, was er dort tut</translation>
+        <source>. For %1 s it was within a step&apos;s way of a wall or beyond it: look at what it does there</source>
+        <translation>. %1 s lang war er höchstens den Weg eines Schritts von einer Wand entfernt oder jenseits von ihr: Sieh dir an, was er dort tut</translation>
     </message>
     <message>
-        <source>. For %1 s it was at another circle: look at what it does there</source>
-        <translation>. %1 s lang war er an einem anderen Kreis: Sieh dir an, was er dort tut</translation>
+        <source>. For %1 s it was within a step&apos;s way of another circle: look at what it does there</source>
+        <translation>. %1 s lang war er höchstens den Weg eines Schritts von einem anderen Kreis entfernt: Sieh dir an, was er dort tut</translation>
     </message>
     <message>
         <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>

@@ -1137,16 +1137,16 @@
         <translation>. À partir de %1 s, rien n&apos;a bougé</translation>
     </message>
     <message>
-        <source>. For %1 s it was at a wall or beyond it, for %2 s at another circle: look at what it does there</source>
-        <translation>. Pendant %1 s, il était contre une paroi ou au-delà, pendant %2 s contre un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
+        <source>. For %1 s it was within a step&apos;s way of a wall or beyond it, for %2 s of another circle: look at what it does there</source>
+        <translation>. Pendant %1 s, il était à un pas au plus d&apos;une paroi ou au-delà, pendant %2 s d&apos;un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
     </message>
     <message>
-        <source>. For %1 s it was at a wall or beyond it: look at what it does there</source>
-        <translation>. Pendant %1 s, il était contre une paroi ou au-delà&#xa0;: regardez ce qu&apos;il y fait</translation>
+        <source>. For %1 s it was within a step&apos;s way of a wall or beyond it: look at what it does there</source>
+        <translation>. Pendant %1 s, il était à un pas au plus d&apos;une paroi ou au-delà&#xa0;: regardez ce qu&apos;il y fait</translation>
     </message>
     <message>
-        <source>. For %1 s it was at another circle: look at what it does there</source>
-        <translation>. Pendant %1 s, il était contre un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
+        <source>. For %1 s it was within a step&apos;s way of another circle: look at what it does there</source>
+        <translation>. Pendant %1 s, il était à un pas au plus d&apos;un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
     </message>
     <message>
         <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>

@@ -57,16 +57,16 @@ std::optional<Fault> tooLittleFlight(const CheckSpec &check, const Observation &
     const auto at = [](double seconds) { return motion::figure(seconds); };
     const QString where =
         near.wall > 0.0 && near.circle > 0.0
-            ? FlightText::tr(". For %1 s it was at a wall or beyond it, for %2 s at another "
-                             "circle: look at what it does there")
+            ? FlightText::tr(". For %1 s it was within a step's way of a wall or beyond it, for %2 "
+                             "s of another circle: look at what it does there")
                   .arg(at(near.wall), at(near.circle))
-        : near.wall > 0.0
-            ? FlightText::tr(". For %1 s it was at a wall or beyond it: look at what it does there")
-                  .arg(at(near.wall))
-        : near.circle > 0.0
-            ? FlightText::tr(". For %1 s it was at another circle: look at what it does there")
-                  .arg(at(near.circle))
-            : QString();
+        : near.wall > 0.0 ? FlightText::tr(". For %1 s it was within a step's way of a wall or "
+                                           "beyond it: look at what it does there")
+                                .arg(at(near.wall))
+        : near.circle > 0.0 ? FlightText::tr(". For %1 s it was within a step's way of another "
+                                             "circle: look at what it does there")
+                                  .arg(at(near.circle))
+                            : QString();
     return Fault{.message = FlightText::tr("Circle %1 was free of walls and other circles for "
                                            "%2 s only; at least %3 s must be seen to judge its "
                                            "motion")
