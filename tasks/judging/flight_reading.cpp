@@ -46,11 +46,10 @@ int placedBy(const Steps &first, const Steps &second, std::size_t i)
 {
     constexpr double near = 0.3; // m: more than a step's way, and than what a hit pushes it aside
     const auto isBeside = [&](const Steps &run, std::size_t j) {
-        if (!run.made)
-            return false;
-        const Vec2 now = run.before[i].position;
-        return length(now - run.start[j].position) < near
-               && length(now - run.start[i].position) > 3.0 * near;
+        const auto from = [&](std::size_t k) {
+            return length(run.before[i].position - run.start[k].position);
+        };
+        return run.made && from(j) < near && from(i) > 3.0 * near;
     };
     for (std::size_t j = 0; j < first.start.size(); ++j) {
         if (j != i && isBeside(first, j) && isBeside(second, j))
