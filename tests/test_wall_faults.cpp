@@ -129,8 +129,8 @@ void addWalls()
     addRow("pushed in the open", bounces,
            drift(beside({.position = {1, 0}, .velocity = {0.1, 0}}),
                  change(2, 1, [](Circle &c) { c.velocity.x = -0.3; })),
-           "At step 2, which began with nothing within the way of a step, the velocity of circle 2 "
-           "went from (0.1, 0) to (-0.3, 0) m/s; (0.1, 0) m/s is right. Hits are judged once this "
+           "At step 2, which began away from the walls, the velocity of circle 2 went from "
+           "(0.1, 0) to (-0.3, 0) m/s; (0.1, 0) m/s is right. Hits are judged once this "
            "is mended",
            2, 0.1, -0.3, "m/s");
     addRow("stops on the way", check("bounces", {1}),

@@ -1157,8 +1157,8 @@
         <translation>. كانت ⁦%1 s⁩ على بعد خطوة على الأكثر من دائرة أخرى: انظر ما تفعله هناك</translation>
     </message>
     <message>
-        <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
-        <translation>في الخطوة ⁨%1⁩ التي بدأت وليس في متناول خطوة شيء انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات بعد إصلاح ذلك</translation>
+        <source>At step %1, which began away from the walls, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>في الخطوة ⁨%1⁩ التي بدأت بعيدًا عن الجدران انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩؛ والصحيح ⁦%5 m/s⁩. يُحكم على التصادمات بعد إصلاح ذلك</translation>
     </message>
     <message>
         <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>

@@ -1149,8 +1149,8 @@
         <translation>. %1 s lang war er höchstens den Weg eines Schritts von einem anderen Kreis entfernt: Sieh dir an, was er dort tut</translation>
     </message>
     <message>
-        <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
-        <translation>In Schritt %1, zu dessen Beginn im Weg eines Schritts nichts lag, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, sobald das behoben ist</translation>
+        <source>At step %1, which began away from the walls, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>In Schritt %1, der fern der Wände begann, ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s; richtig sind %5 m/s. Stöße werden beurteilt, sobald das behoben ist</translation>
     </message>
     <message>
         <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>

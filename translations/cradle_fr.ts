@@ -1149,8 +1149,8 @@
         <translation>. Pendant %1 s, il était à un pas au plus d&apos;un autre cercle&#xa0;: regardez ce qu&apos;il y fait</translation>
     </message>
     <message>
-        <source>At step %1, which began with nothing within the way of a step, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
-        <translation>Au pas %1, qui a commencé sans rien à portée d&apos;un pas, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés une fois cela corrigé</translation>
+        <source>At step %1, which began away from the walls, the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are judged once this is mended</source>
+        <translation>Au pas %1, qui a commencé loin des parois, la vitesse du cercle %2 est passée de %3 à %4 m/s&#xa0;; la valeur juste est %5 m/s. Les chocs seront jugés une fois cela corrigé</translation>
     </message>
     <message>
         <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>

@@ -149,8 +149,8 @@ Fault changedInOpen(const Observation &o, int i, qint64 k, Vec2 gravity)
     // Who is moved further than asked may have been at a wall, and turned there.
     const bool isTurned = after.x * before.x < 0.0 || after.y * before.y < 0.0;
     const QString text =
-        isTurned ? MotionText::tr("At step %1, which began with nothing within the way of a step, "
-                                  "the velocity of circle %2 went from %3 to %4 m/s; %5 m/s is "
+        isTurned ? MotionText::tr("At step %1, which began away from the walls, the velocity of "
+                                  "circle %2 went from %3 to %4 m/s; %5 m/s is "
                                   "right. Hits are judged once this is mended")
                  : MotionText::tr("At step %1, where it touches nothing, the velocity of "
                                   "circle %2 went from %3 to %4 m/s; %5 m/s is right. Hits are "
