@@ -10,7 +10,8 @@ namespace cradle {
 
 namespace {
 
-constexpr double constantBlur = 5e-3; ///< m/s; the line of centres turns a little in a step
+constexpr double constantBlur = 5e-3;  ///< m/s; the line of centres turns a little in a step
+constexpr std::size_t fewestAlike = 3; ///< hits; two may end alike by chance
 
 /// Whether \p valueOf is the same for all of \p some.
 template <class One, class Value>
@@ -42,6 +43,8 @@ std::optional<LawDeviation> constantDeviation(const MeasuredPair &own,
     for (const auto *some : {&own.equals, &own.radii, &own.densities, &own.rebounds})
         std::copy_if(some->begin(), some->end(), std::back_inserter(all),
                      [](const PairHit &one) { return one.isMet() && one.isAligned(); });
+    if (all.size() < fewestAlike)
+        return std::nullopt;
     const auto isOfCircle = [&](int circle) {
         return isConstant(all, [=](const PairHit &one) { return velocityAfter(one, circle); });
     };
