@@ -35,10 +35,8 @@ if(CRADLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     # Paths count from the source folder, so that one clone's results serve the next. The sloppiness
     # is what precompiled headers ask for; no source uses __DATE__ or __TIME__.
     set(ccache_settings "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1
-        CCACHE_SLOPPINESS=pch_defines,time_macros)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-        list(APPEND ccache_settings CCACHE_PCH_EXTSUM=1) # see PrecompiledHeaders.cmake
-    endif()
+        CCACHE_SLOPPINESS=pch_defines,time_macros
+        CCACHE_PCH_EXTSUM=1) # see PrecompiledHeaders.cmake
     set(CMAKE_CXX_COMPILER_LAUNCHER
         "${CMAKE_COMMAND}" -E env ${ccache_settings} "${CRADLE_CCACHE}")
 endif()

@@ -8,11 +8,15 @@ option(CRADLE_PRECOMPILE "Compile with precompiled headers" ON)
 # One that does not fit is not used, which costs time; it is no fault of the source.
 set(CMAKE_PCH_WARN_INVALID OFF)
 
-# What Clang precompiles names the clone's folder, so every clone compiles it anew. For ccache to serve
-# what is compiled with it, the file is named by an option whose path ccache makes relative, and a
-# fingerprint of what went into it stands beside it (CCACHE_PCH_EXTSUM in Compiler.cmake).
+# What Clang precompiles names the clone's folder, so every clone compiles it anew; what GCC precompiles is 130 to
+# 200 MB, which ccache would read for each source. So a fingerprint of what went into it stands beside it, and ccache
+# takes that for the whole (CCACHE_PCH_EXTSUM in Compiler.cmake). The file's own path is an option of Clang's that
+# ccache makes relative.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -include <PCH_HEADER>)
+    set(cradle_precompiled cmake_pch.hxx.pch)
+else()
+    set(cradle_precompiled cmake_pch.hxx.gch)
 endif()
 
 set(cradle_model_headers
@@ -35,12 +39,10 @@ set(cradle_test_headers <QElapsedTimer> <QSignalSpy> <QTemporaryDir> <QTest>)
 function(cradle_precompile target)
     if(CRADLE_PRECOMPILE)
         target_precompile_headers(${target} PRIVATE ${ARGN})
-        if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-            get_target_property(qt Qt6::Core LOCATION)
-            file(TIMESTAMP "${qt}" qt_time)
-            file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx.pch.sum"
-                 "${ARGN} ${CMAKE_CXX_COMPILER_VERSION} ${Qt6_VERSION} ${qt_time}\n")
-        endif()
+        get_target_property(qt Qt6::Core LOCATION)
+        file(TIMESTAMP "${qt}" qt_time)
+        file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${cradle_precompiled}.sum"
+             "${ARGN} ${CMAKE_CXX_COMPILER_VERSION} ${Qt6_VERSION} ${qt_time}\n")
     endif()
 endfunction()
 
