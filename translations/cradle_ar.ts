@@ -1819,17 +1819,6 @@ momentum (%6, %7) kg m/s, kinetic %8 J, potential %9 J
     </message>
 </context>
 <context>
-    <name>DivisionText</name>
-    <message>
-        <source>all but those where %1</source>
-        <translation>كلها عدا تلك التي فيها %1</translation>
-    </message>
-    <message>
-        <source>those where %1, no others</source>
-        <translation>تلك التي فيها %1، دون غيرها</translation>
-    </message>
-</context>
-<context>
     <name>Examples</name>
     <message>
         <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
@@ -4964,6 +4953,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>They came nearer with %1 m/s along the line of centres, touched, and both kept their velocities; with e = %2 it comes out right. Look at what is asked before the lines with the answer, and at what e does there.</source>
         <translation>اقتربتا بسرعة ⁦%1 m/s⁩ على خط المركزين وتلامستا واحتفظت كلتاهما بسرعتها؛ ومع ⁦e = %2⁩ تصحّ النتيجة. انظر عمّ يُسأل قبل أسطر الاستجابة، وماذا يفعل ⁦e⁩ هناك.</translation>
     </message>
+    <message>
+        <source>all but those where %1</source>
+        <translation>كلها عدا تلك التي فيها %1</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>تلك التي فيها %1، دون غيرها</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
@@ -7411,13 +7408,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     </message>
 </context>
 <context>
-    <name>MessageText</name>
-    <message>
-        <source>parentheses, blocks or terms are nested too deeply</source>
-        <translation>الأقواس أو الكتل أو الحدود متداخلة أعمق مما ينبغي</translation>
-    </message>
-</context>
-<context>
     <name>MomentumInset</name>
     <message>
         <source>Momentum</source>
@@ -9151,6 +9141,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, %2)</source>
         <translation>يجب أن تكون gravity متجهًا بوحدة ⁦m/s²⁩، لا ⁨%1⁩؛ اكتب ⁦gravity = vec(0, %2)⁩</translation>
+    </message>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation>الأقواس أو الكتل أو الحدود متداخلة أعمق مما ينبغي</translation>
     </message>
 </context>
 <context>

@@ -1795,17 +1795,6 @@ Impuls (%6, %7) kg m/s, kinetisch %8 J, potentiell %9 J
     </message>
 </context>
 <context>
-    <name>DivisionText</name>
-    <message>
-        <source>all but those where %1</source>
-        <translation>alle außer denen, bei denen %1</translation>
-    </message>
-    <message>
-        <source>those where %1, no others</source>
-        <translation>die, bei denen %1, keine anderen</translation>
-    </message>
-</context>
-<context>
     <name>Examples</name>
     <message>
         <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
@@ -4904,6 +4893,14 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>They came nearer with %1 m/s along the line of centres, touched, and both kept their velocities; with e = %2 it comes out right. Look at what is asked before the lines with the answer, and at what e does there.</source>
         <translation>Sie kamen sich längs der Verbindungslinie der Mittelpunkte mit %1 m/s näher, berührten sich und behielten beide ihre Geschwindigkeit; mit e = %2 geht es richtig aus. Sieh nach, was vor den Zeilen mit der Antwort gefragt wird und was e dort tut.</translation>
     </message>
+    <message>
+        <source>all but those where %1</source>
+        <translation>alle außer denen, bei denen %1</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>die, bei denen %1, keine anderen</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
@@ -7339,13 +7336,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     </message>
 </context>
 <context>
-    <name>MessageText</name>
-    <message>
-        <source>parentheses, blocks or terms are nested too deeply</source>
-        <translation>Klammern, Blöcke oder Terme sind zu tief ineinander geschachtelt</translation>
-    </message>
-</context>
-<context>
     <name>MomentumInset</name>
     <message>
         <source>Momentum</source>
@@ -9075,6 +9065,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, %2)</source>
         <translation>gravity muss ein Vektor in m/s² sein, nicht %1; schreib gravity = vec(0, %2)</translation>
+    </message>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation>Klammern, Blöcke oder Terme sind zu tief ineinander geschachtelt</translation>
     </message>
 </context>
 <context>

@@ -1795,17 +1795,6 @@ quantité de mouvement (%6, %7) kg m/s, énergie cinétique %8 J, potentielle %9
     </message>
 </context>
 <context>
-    <name>DivisionText</name>
-    <message>
-        <source>all but those where %1</source>
-        <translation>tous sauf ceux où %1</translation>
-    </message>
-    <message>
-        <source>those where %1, no others</source>
-        <translation>ceux où %1, pas d&apos;autres</translation>
-    </message>
-</context>
-<context>
     <name>Examples</name>
     <message>
         <source>A thousand equal circles start with the same speed, 2 m/s, in all directions. Press Run and watch the speeds at the bottom right.
@@ -4904,6 +4893,14 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>They came nearer with %1 m/s along the line of centres, touched, and both kept their velocities; with e = %2 it comes out right. Look at what is asked before the lines with the answer, and at what e does there.</source>
         <translation>Ils se rapprochaient à %1 m/s suivant la ligne des centres, se sont touchés et ont tous deux gardé leur vitesse&#xa0;; avec e = %2, le résultat est bon. Regardez ce qui est demandé avant les lignes de la réponse, et ce que e y fait.</translation>
     </message>
+    <message>
+        <source>all but those where %1</source>
+        <translation>tous sauf ceux où %1</translation>
+    </message>
+    <message>
+        <source>those where %1, no others</source>
+        <translation>ceux où %1, pas d&apos;autres</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>
@@ -7339,13 +7336,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     </message>
 </context>
 <context>
-    <name>MessageText</name>
-    <message>
-        <source>parentheses, blocks or terms are nested too deeply</source>
-        <translation>parenthèses, blocs ou termes sont trop imbriqués</translation>
-    </message>
-</context>
-<context>
     <name>MomentumInset</name>
     <message>
         <source>Momentum</source>
@@ -9075,6 +9065,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>gravity must be a vector in m/s², not %1; write gravity = vec(0, %2)</source>
         <translation>gravity doit être un vecteur en m/s², pas %1&#xa0;; écrivez gravity = vec(0, %2)</translation>
+    </message>
+    <message>
+        <source>parentheses, blocks or terms are nested too deeply</source>
+        <translation>parenthèses, blocs ou termes sont trop imbriqués</translation>
     </message>
 </context>
 <context>

@@ -15,6 +15,9 @@ namespace cradle {
 
 namespace {
 
+/// Fewer may be chance.
+constexpr std::ptrdiff_t fewestMeetings = 2;
+
 struct DivisionText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
@@ -183,9 +186,6 @@ std::vector<Sign> sizes()
             {[](const Thrown &t) { return 1.0 - t.meeting.restitution; },
              DivisionText::tr("e is less than 1"), QString(), DivisionText::tr("e is 1")}};
 }
-
-/// Fewer may be chance.
-constexpr std::ptrdiff_t fewestMeetings = 2;
 
 /// The division of \p all by the sign of a quantity, if that tells those that come out right from
 /// the others.

@@ -15,11 +15,11 @@ namespace cradle {
 
 namespace {
 
+constexpr std::size_t longestMessage = 2000; ///< bytes of an error that are shown
+
 struct MessageText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
-
-constexpr std::size_t longestMessage = 2000; ///< bytes of an error that are shown
 
 void explainGrammar(ProgramError &error, const QString &message, const QString &source)
 {
