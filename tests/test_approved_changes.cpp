@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/approved_programs.h"
+#include "tests/text_print.h"
 
-#include "tasks/judging/asked_values.h"
 #include "tasks/judging/last_assignment.h"
 #include "tasks/judging/line_guess.h"
-#include "tasks/judging/program_rows.h"
 #include "tasks/judging/push_origin.h"
-#include "tasks/judging/quantities.h"
 #include "tasks/judging/repair_order.h"
 #include "tasks/judging/value_origin.h"
 #include "tasks/judging/value_repairs.h"
-
-#include <QCryptographicHash>
 
 using namespace cradle;
 
@@ -31,118 +27,11 @@ private slots:
 namespace {
 
 constexpr Aspect aspects[] = {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response};
-/// What is tried for values, which takes longest.
-constexpr std::pair<Aspect, Suspect> valued[] = {{Aspect::Motion, Suspect::Answer},
-                                                 {Aspect::Walls, Suspect::Reach},
-                                                 {Aspect::Contact, Suspect::Reach},
-                                                 {Aspect::Response, Suspect::Answer},
-                                                 {Aspect::Response, Suspect::Masses}};
 constexpr Suspect suspects[] = {Suspect::Answer, Suspect::Formula, Suspect::Question,
                                 Suspect::Reach,  Suspect::Masses,  Suspect::Copy,
                                 Suspect::Kept,   Suspect::Omission};
 
-/// A hash of texts and numbers, in turn.
-class Print
-{
-public:
-    Print &operator<<(const QString &text)
-    {
-        m_hash.addData(text.toUtf8() + '\n');
-        return *this;
-    }
-    Print &operator<<(const QStringList &all) { return *this << all.join(QLatin1Char('\t')); }
-    template <typename Number>
-    Print &operator<<(Number number) requires std::is_arithmetic_v<Number>
-    {
-        return *this << QString::number(number);
-    }
-    template <typename Numbers>
-    Print &operator<<(const Numbers &all) requires std::is_integral_v<typename Numbers::value_type>
-    {
-        for (const auto each : all)
-            *this << each;
-        return *this << QStringLiteral(".");
-    }
-    Print &operator<<(const NamedCircle &c)
-    {
-        return *this << c.position << c.velocity << c.radius << c.density;
-    }
-    Print &operator<<(const std::vector<Repair> &all)
-    {
-        for (const Repair &each : all)
-            *this << each.source << each.line << each.alone << each.told;
-        return *this << all.size();
-    }
-    [[nodiscard]] QString text() const
-    {
-        return QString::fromLatin1(m_hash.result().toHex().left(12));
-    }
-
-private:
-    QCryptographicHash m_hash{QCryptographicHash::Sha256};
-};
-
-QString statements(const ProgramLines &program)
-{
-    Print print;
-    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
-    print << program.timesteps() << deadLines(program)
-          << copiesOf(program, assignments, {QStringLiteral("radius"), QStringLiteral("density")});
-    for (const ProgramAssignment &each : assignments)
-        print << each.line << each.name << each.isField << each.target << each.from << each.to
-              << each.last << valuesIn(program, each.from, each.to) << isHandedOn(program, each);
-    const std::vector<ProgramFunction> functions = functionsOf(program);
-    for (const ProgramFunction &each : functions)
-        print << each.name << each.parameters << each.first << each.last;
-    for (std::size_t i = 0; i < program.tokens().size(); ++i)
-        print << program.afterOperand(i) << afterExpression(program, i) << program.isNewName(i);
-    for (int line = 1; line <= program.count(); ++line)
-        print << (functionAt(functions, line) ? functionAt(functions, line)->first : 0);
-    return print.text();
-}
-
-QString lines(const ProgramLines &program)
-{
-    Print print;
-    const QStringList rows = rowsOf(program.source());
-    const AskedValues asked(program);
-    for (int line = 1; line <= program.count(); ++line) {
-        const QString &row = rows[line - 1];
-        const RowRange range = functionOf(rows, line);
-        print << program.bodiesNear(line) << program.forgotten(line) << program.isCall(line) << row
-              << compares(row) << worksOut(row) << asksForWall(row) << range.first << range.last;
-        for (const int twin : program.twinsOf(line))
-            print << twin << program.inTwin(row, line, twin)
-                  << program.placeIn(line, twin, row.size() / 2).value_or(-1);
-        for (const AskedValue &value : asked.of(line))
-            print << value.line << value.isReach;
-        print << asked.asksReach(line) << asked.valueBehind(line, true)
-              << asked.valueBehind(line, false) << asked.isJoined(line);
-    }
-    return print.text();
-}
-
-QString quantities(const ProgramLines &program)
-{
-    Print print;
-    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
-    const std::vector<ProgramFunction> functions = functionsOf(program);
-    for (int line = 1; line <= program.count(); line += 5) {
-        const NamesAtHand names(program, assignments, functions, line);
-        for (const NamedCircle &circle : names.circles())
-            print << circle;
-        if (const auto pair = names.pair())
-            print << pair->first << pair->second;
-        print << names.radii() << names.normals() << names.ofRadius() << names.parameters()
-              << names.masses();
-        for (const auto &[aspect, suspect] : valued) {
-            const Quantities all(names, program.timesteps(), aspect, suspect);
-            print << all.all() << all.sound() << all.parts() << all.sides(QStringLiteral("d"))
-                  << all.completed(QStringLiteral("v"), program.forgotten(line));
-        }
-    }
-    return print.text();
-}
+using Print = approved::TextPrint;
 
 /// The first step in which a velocity is changed otherwise than before, or the first.
 qint64 firstTurn(const QString &program, const Stage &stage)
@@ -212,7 +101,7 @@ void addValues(const Task &task, const QString &source, const std::vector<int> &
     const Moment moment{.stage = {task.preset, false}, .step = step, .circles = {0}};
     const RanLines ran = ranLines(source, moment);
     SoundValues sound(source, moment);
-    for (const auto &[aspect, suspect] : valued) {
+    for (const auto &[aspect, suspect] : approved::valued) {
         to << soundLines(sound, all, aspect, suspect);
         for (const ValueChange change : {ValueChange::Completed, ValueChange::Replaced})
             to << valueRepairsOf(sound, all, aspect, suspect, ran.now, change);
@@ -233,7 +122,8 @@ QString told(const Task &task, const QString &source, bool isWhole)
     putInOrder(repairs, source, {1, 5, 9, 13});
     numbers.repairs << repairs;
     QString text = QStringLiteral("statements %1, lines %2, quantities %3, %4 repairs %5\n")
-                       .arg(statements(program), lines(program), quantities(program))
+                       .arg(approved::statements(program), approved::lines(program),
+                            approved::quantities(program))
                        .arg(count)
                        .arg(numbers.repairs.text());
     if (!isWhole)

@@ -67,7 +67,12 @@ void TestCheckScript::whatTheRunOffers_data()
           "(function() local n = 0 for s in run:steps() do n = n + 1 end return n end)() == 33",
           "(function() local last for s in run:steps() do last = s end return last.time end)() == "
           "4",
-          "#run:hits() == 1", "run:hits()[1].kind == 'wall' and run:hits()[1].b == 'right'",
+          "run:at(4 + 5e-10).time == 4 and run:at(-5e-10).time == 0",
+          "run:step(0).step == 0 and run:step(32).step == 32 and run:step(32).time == 4",
+          "run:circle(1).index == 1 and run:circle(2):at(0).position == vec(-2, -2)",
+          "(function() for s in run:steps() do return s.step end end)() == 0",
+          "run.square.right == 4 and run.square.bottom == -4", "#run:hits() + #run:hits() == 2",
+          "run:hits()[1].kind == 'wall' and run:hits()[1].b == 'right'",
           "run:hits()[1].a == 1 and run:hits()[1].normal == vec(1, 0)",
           "run:hits()[1].time > 1.5 and run:hits()[1].time <= 1.875",
           "run:hits()[1].step == run:hits()[1].time / run.timestep",
@@ -147,17 +152,17 @@ void TestCheckScript::mistakeOfTheCheckIsNamed_data()
     QTest::addColumn<QString>("body");
     QTest::addColumn<int>("line");
     QTest::addColumn<QString>("message");
-    const auto row = [](const char *body, int line, const char *message) {
-        QTest::newRow(body) << QString::fromUtf8(body) << line << QString::fromUtf8(message);
+    const auto row = [](const QByteArray &body, int line, const QByteArray &message) {
+        QTest::newRow(body.constData())
+            << QString::fromUtf8(body) << line << QString::fromUtf8(message);
     };
     row("", 0, "check(run) returned nil; true, or false and a message, is right");
     row("return 1", 0, "check(run) returned the number 1");
     row("return false", 0, "without a message for the student");
     row("return false, 3", 0, "without a message for the student");
     row("local x = 1\nreturn run.timestp > x", 3, "did you mean `timestep`?");
-    const QByteArray longKey = "return run." + QByteArray(70, 'x');
-    const QByteArray shown = "there is no field `" + QByteArray(64, 'x') + "` here";
-    row(longKey.constData(), 2, shown.constData());
+    row("return run." + QByteArray(70, 'x'), 2,
+        "there is no field `" + QByteArray(64, 'x') + "` here");
     row("return run:at(1).circles[1].centre", 2, "there is no field `centre` here; there are");
     row("return run:at(5)", 2, "a number of seconds from 0 to 4, not the number 5");
     row("return run:at(-1)", 2, "a number of seconds from 0 to 4");
@@ -165,6 +170,19 @@ void TestCheckScript::mistakeOfTheCheckIsNamed_data()
     row("return run:at('1')", 2, "a number of seconds from 0 to 4");
     row("return run.at(1)", 2, "write run:at(t), with a colon");
     row("return run.hits()", 2, "write run:hits(), with a colon");
+    row("return run.step(1)", 2, "write run:step(k), with a colon");
+    row("return run.steps()", 2, "write run:steps(), with a colon");
+    row("return run.circle(1)", 2, "write run:circle(i), with a colon");
+    row("return run:circle(1).at(1)", 2, "write run:circle(i):at(t), with a colon");
+    row("return run:at(4 + 5e-9)", 2, "a number of seconds from 0 to 4");
+    row("return run:at(-5e-9)", 2, "a number of seconds from 0 to 4");
+    row("return run:step('1')", 2, "a whole number from 0 to 32, not the text \"1\"");
+    row("return run:step(-1)", 2, "a whole number from 0 to 32, not the number -1");
+    row("return run:circle(0)", 2, "a whole number from 1 to 2, not the number 0");
+    row("return run:step(1).tim", 2, "there is no field `tim` here");
+    row("return run:hits()[1].when", 2, "there is no field `when` here");
+    row("return run:circle(1).centre", 2, "there is no field `centre` here");
+    row("return run.square.width", 2, "there is no field `width` here");
     row("return run:circle(3)", 2, "a whole number from 1 to 2, not the number 3");
     row("return run:step(33)", 2, "a whole number from 0 to 32");
     row("return run:step(0.5)", 2, "a whole number from 0 to 32");

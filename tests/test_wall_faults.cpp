@@ -19,6 +19,7 @@ private slots:
     void smallHopsAreRest();
     void onlyTheLastFiveSecondsAreRest();
     void aBallThatLosesNothingNeedNotRest();
+    void hopsMayBeTwiceThoseOfTheReference();
     void whoHardlyFallsHasNotFallen();
 };
 
@@ -249,6 +250,25 @@ void TestWallFaults::aBallThatLosesNothingNeedNotRest()
         walls::goBack(c[0], walls::down, 1.0, dt);
     });
     VERIFY_ACCEPTED(judge(check("settles"), o));
+}
+
+/// Without losses that hops to 0.8 m for ever; here the first hit gives back more.
+void TestWallFaults::hopsMayBeTwiceThoseOfTheReference()
+{
+    const auto hopping = [](double times) {
+        const Circle start{.position = {0.0, 0.2 + 0.8 - walls::wall}};
+        return observed(scene({start}, walls::down), 10.0,
+                        [times, isFirst = true](Circles &c, double dt) mutable {
+                            const double came = c[0].velocity.y;
+                            walls::goBack(c[0], walls::down, 1.0, dt);
+                            if (isFirst && came < 0.0 && c[0].velocity.y > 0.0) {
+                                c[0].velocity.y *= std::sqrt(times);
+                                isFirst = false;
+                            }
+                        });
+    };
+    VERIFY_ACCEPTED(judge(check("settles"), hopping(1.8)));
+    VERIFY_REFUSED(judge(check("settles"), hopping(2.3)), QStringLiteral("still comes"));
 }
 
 /// Under 10 m/s², 1 m/s: what falls for a tenth of a second.

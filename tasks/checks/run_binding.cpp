@@ -33,7 +33,7 @@ RunView &viewOf(lua_State *L)
 void pushCircleState(lua_State *L, const Circle &circle, int index)
 {
     charge(L, circleCost);
-    lua_createtable(L, 0, 5);
+    lua_newtable(L);
     setVector(L, "position", circle.position);
     setVector(L, "velocity", circle.velocity);
     setNumber(L, "radius", circle.radius);
@@ -46,7 +46,7 @@ void pushCircleState(lua_State *L, const Circle &circle, int index)
 template <typename At>
 void pushState(lua_State *L, const Observation &run, double time, qint64 step, const At &at)
 {
-    lua_createtable(L, 0, 3);
+    lua_newtable(L);
     setNumber(L, "time", time);
     setWhole(L, "step", step);
     lua_createtable(L, run.circleCount(), 0);
@@ -149,7 +149,7 @@ int circle(lua_State *L)
     requireColon(L, "run:circle(i)");
     RunView &view = viewOf(L);
     const qint64 number = wholeArgument(L, 1, view.run.circleCount());
-    lua_createtable(L, 0, 2);
+    lua_newtable(L);
     setWhole(L, "index", number);
     lua_pushlightuserdata(L, &view);
     lua_pushinteger(L, number - 1);
@@ -175,7 +175,7 @@ void findHits(lua_State *L, RunView &view)
 void pushHit(lua_State *L, const Hit &hit)
 {
     charge(L, circleCost);
-    lua_createtable(L, 0, 7);
+    lua_newtable(L);
     setNumber(L, "time", hit.time);
     setWhole(L, "step", hit.step);
     const bool wall = hit.kind == Hit::Kind::Wall;
@@ -212,7 +212,7 @@ int hits(lua_State *L)
 
 void pushSquare(lua_State *L, double half)
 {
-    lua_createtable(L, 0, 5);
+    lua_newtable(L);
     for (const char *name : {"half_width", "right", "top"})
         setNumber(L, name, half);
     for (const char *name : {"left", "bottom"})
