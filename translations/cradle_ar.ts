@@ -1976,6 +1976,10 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
 <context>
     <name>Findings</name>
     <message>
+        <source> or </source>
+        <translation> أو </translation>
+    </message>
+    <message>
         <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
         <translation>تتلامس الحافتان حين تكون المسافة بين المركزين ⁦r₁&#xa0;+&#xa0;r₂⁩، وهي هنا ⁦%1 m⁩.</translation>
     </message>

@@ -1952,6 +1952,10 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
 <context>
     <name>Findings</name>
     <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
         <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
         <translation>Die Ränder berühren sich, wo die Mittelpunkte r₁ + r₂ auseinander sind, hier %1 m.</translation>
     </message>

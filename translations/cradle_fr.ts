@@ -1952,6 +1952,10 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
 <context>
     <name>Findings</name>
     <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
         <source>Rims touch where the centres are r₁ + r₂ apart, here %1 m.</source>
         <translation>Les bords se touchent quand la distance des centres vaut r₁ + r₂, ici %1 m.</translation>
     </message>

@@ -59,35 +59,46 @@ private:
                && (parts > most || std::abs(parts - std::round(parts)) < 5e-3 * parts);
     }
 
+    /// One or the other of the methods that are asked for, as \p told says each.
+    static QString eachOf(const std::vector<double> &wanted, QString (*told)(double))
+    {
+        QStringList all;
+        for (const double share : wanted)
+            all.append(told(share));
+        return all.join(FlightText::tr(" or "));
+    }
+
     /// What would be right, in the words of the methods.
     static QString askedFor(const std::vector<double> &wanted)
     {
-        const auto is = [&](double s) { return isOneMethod(wanted.front(), s); };
-        if (wanted.size() > 1)
+        const auto isOnly = [&](double s) {
+            return wanted.size() == 1 && isOneMethod(wanted.front(), s);
+        };
+        if (wanted.size() > 2)
             return FlightText::tr(
                 "Euler adds nothing to v Δt, symplectic Euler g Δt², the exact "
                 "methods (Verlet, Runge-Kutta 4) ½ g Δt²; one of these is asked for.");
-        if (is(0.0))
+        if (isOnly(0.0))
             return FlightText::tr("Euler moves by the velocity from before the step alone.");
-        if (is(1.0))
+        if (isOnly(1.0))
             return FlightText::tr("Symplectic Euler changes the velocity first and moves by the "
                                   "new one, which is v Δt + g Δt².");
-        return FlightText::tr("%1 is asked for.").arg(wayBy(wanted.front()));
+        return FlightText::tr("%1 is asked for.").arg(eachOf(wanted, wayBy));
     }
 
     static QString headlineOf(double share, const std::vector<double> &wanted)
     {
-        const auto is = [&](double s) { return isOneMethod(share, s); };
-        if (is(-0.5) && std::any_of(wanted.begin(), wanted.end(), [](double s) {
+        if (isOneMethod(share, -0.5) && std::any_of(wanted.begin(), wanted.end(), [](double s) {
                 return isOneMethod(s, 0.5);
             }))
             return FlightText::tr("The sign of ½ g Δt² is wrong in the motion of %who");
-        if (wanted.size() > 1)
-            return FlightText::tr("The motion of %who is no known method");
-        const QString asked = methodName(wanted.front());
-        if (is(0.0) || is(0.5) || is(1.0))
-            return FlightText::tr("The motion of %who is %1, not %2").arg(methodName(share), asked);
-        return FlightText::tr("The motion of %who is no known method; %1 is asked for").arg(asked);
+        const QString asked = eachOf(wanted, methodName);
+        if (const QString name = methodName(share); !name.isEmpty())
+            return FlightText::tr("The motion of %who is %1, not %2").arg(name, asked);
+        return wanted.size() > 1
+                   ? FlightText::tr("The motion of %who is no known method")
+                   : FlightText::tr("The motion of %who is no known method; %1 is asked for")
+                         .arg(asked);
     }
 };
 
