@@ -3,6 +3,7 @@
 #include "app/author_panes.h"
 
 #include "app/notice_bar.h"
+#include "views/author/author_document.h"
 #include "views/author/broken_file.h"
 #include "views/author/checks_tab.h"
 #include "views/author/find_panel.h"
@@ -41,6 +42,7 @@ QWidget *languageCorner(AuthorDocument &document, QTabWidget *tabs)
 
 AuthorPanes::AuthorPanes(QMainWindow &mainWindow, AuthorDocument &document)
     : window(mainWindow)
+    , m_document(document)
 {
     auto *centre = new QWidget(&window);
     notice = new NoticeBar(centre);
@@ -113,7 +115,13 @@ void AuthorPanes::showTab(int tab)
 
 QStringList AuthorPanes::refused() const
 {
-    return checks->refusedChecks() + text->refusedValues() + scene->refusedScenes();
+    QStringList all = checks->refusedChecks() + text->refused() + programs->refusedRemarks();
+    // What belongs to a step that is gone comes back with that alone.
+    all.removeIf([steps = m_document.steps()](const QString &subject) {
+        return subject.contains(QLatin1Char('/'))
+               && !steps.contains(subject.section(QLatin1Char('/'), 0, 0));
+    });
+    return all + scene->refusedScenes();
 }
 
 } // namespace cradle

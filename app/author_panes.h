@@ -37,7 +37,8 @@ public:
     /// Titles of the tabs, in the language in force.
     void retranslate();
     void showTab(int tab);
-    /// Fields and scenes of which something is typed that is no value, and so not in the lab.
+    /// Checks, values, questions, remarks and scenes in whose fields something is typed that is no
+    /// value, and so not in the lab.
     [[nodiscard]] QStringList refused() const;
 
     QMainWindow &window;
@@ -54,6 +55,8 @@ public:
 private:
     [[nodiscard]] QWidget *makeLeftAndMiddle(QWidget *centre, AuthorDocument &document);
     void makeTabs(AuthorDocument &document);
+
+    const AuthorDocument &m_document;
 };
 
 } // namespace cradle

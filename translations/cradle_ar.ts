@@ -25,6 +25,17 @@
     </message>
 </context>
 <context>
+    <name>AuthorForms</name>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>النقاط: الصواب عدد من 0 إلى 1000</translation>
+    </message>
+</context>
+<context>
     <name>AuthorMenu</name>
     <message>
         <source>&amp;Lab</source>
@@ -9313,24 +9324,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 <context>
     <name>cradle::ArrangementDialog</name>
     <message>
-        <source>Rack</source>
-        <translation>مثلث</translation>
-    </message>
-    <message>
         <source>Rows</source>
         <translation>الصفوف</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>شبكة</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>الأعمدة</translation>
-    </message>
-    <message>
-        <source>Ring</source>
-        <translation>حلقة</translation>
     </message>
     <message>
         <source>Circles</source>
@@ -9640,10 +9639,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 <context>
     <name>cradle::CheckEditor</name>
     <message>
-        <source>Points: a number from 0 to 1000 is right</source>
-        <translation>النقاط: الصواب عدد من 0 إلى 1000</translation>
-    </message>
-    <message>
         <source>What is checked</source>
         <translation>ما الذي يُفحص</translation>
     </message>
@@ -9686,10 +9681,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Kind of the check</source>
         <translation>نوع الفحص</translation>
-    </message>
-    <message>
-        <source>An id of letters, digits, dots, dashes and underscores is right</source>
-        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
     </message>
 </context>
 <context>
@@ -12378,10 +12369,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>لسؤال آخر هذا المعرّف بالفعل</translation>
     </message>
     <message>
-        <source>Points: a number from 0 to 1000 is right</source>
-        <translation>النقاط: الصواب عدد من 0 إلى 1000</translation>
-    </message>
-    <message>
         <source>Tolerance: a number from 0 is right</source>
         <translation>التفاوت المسموح: الصواب عدد ابتداء من 0</translation>
     </message>
@@ -12516,10 +12503,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>What the student sees, answered rightly</source>
         <translation>ما يراه الطالب، بإجابة صحيحة</translation>
-    </message>
-    <message>
-        <source>An id of letters, digits, dots, dashes and underscores is right</source>
-        <translation>الصواب معرّف من أحرف لاتينية وأرقام ونقاط وشرطات وشرطات سفلية</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,17 @@
     </message>
 </context>
 <context>
+    <name>AuthorForms</name>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
+    </message>
+</context>
+<context>
     <name>AuthorMenu</name>
     <message>
         <source>&amp;Lab</source>
@@ -9237,24 +9248,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
 <context>
     <name>cradle::ArrangementDialog</name>
     <message>
-        <source>Rack</source>
-        <translation>Dreieck</translation>
-    </message>
-    <message>
         <source>Rows</source>
         <translation>Reihen</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>Gitter</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>Spalten</translation>
-    </message>
-    <message>
-        <source>Ring</source>
-        <translation>Ring</translation>
     </message>
     <message>
         <source>Circles</source>
@@ -9556,10 +9555,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
 <context>
     <name>cradle::CheckEditor</name>
     <message>
-        <source>Points: a number from 0 to 1000 is right</source>
-        <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
-    </message>
-    <message>
         <source>What is checked</source>
         <translation>Was geprüft wird</translation>
     </message>
@@ -9602,10 +9597,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Kind of the check</source>
         <translation>Art der Prüfung</translation>
-    </message>
-    <message>
-        <source>An id of letters, digits, dots, dashes and underscores is right</source>
-        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
     </message>
 </context>
 <context>
@@ -12266,10 +12257,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Eine andere Frage hat diese Kennung schon</translation>
     </message>
     <message>
-        <source>Points: a number from 0 to 1000 is right</source>
-        <translation>Punkte: Richtig ist eine Zahl von 0 bis 1000</translation>
-    </message>
-    <message>
         <source>Tolerance: a number from 0 is right</source>
         <translation>Toleranz: Richtig ist eine Zahl ab 0</translation>
     </message>
@@ -12404,10 +12391,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>What the student sees, answered rightly</source>
         <translation>Was zu sehen ist, richtig beantwortet</translation>
-    </message>
-    <message>
-        <source>An id of letters, digits, dots, dashes and underscores is right</source>
-        <translation>Richtig ist eine Kennung aus Buchstaben, Ziffern, Punkten, Binde- und Unterstrichen</translation>
     </message>
 </context>
 <context>

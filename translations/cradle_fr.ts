@@ -25,6 +25,17 @@
     </message>
 </context>
 <context>
+    <name>AuthorForms</name>
+    <message>
+        <source>An id of letters, digits, dots, dashes and underscores is right</source>
+        <translation>Il faut un id fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
+    </message>
+    <message>
+        <source>Points: a number from 0 to 1000 is right</source>
+        <translation>Points&#xa0;: il faut un nombre de 0 à 1000</translation>
+    </message>
+</context>
+<context>
     <name>AuthorMenu</name>
     <message>
         <source>&amp;Lab</source>
@@ -9237,24 +9248,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
 <context>
     <name>cradle::ArrangementDialog</name>
     <message>
-        <source>Rack</source>
-        <translation>Triangle</translation>
-    </message>
-    <message>
         <source>Rows</source>
         <translation>Rangées</translation>
     </message>
     <message>
-        <source>Grid</source>
-        <translation>Grille</translation>
-    </message>
-    <message>
         <source>Columns</source>
         <translation>Colonnes</translation>
-    </message>
-    <message>
-        <source>Ring</source>
-        <translation>Anneau</translation>
     </message>
     <message>
         <source>Circles</source>
@@ -9556,10 +9555,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
 <context>
     <name>cradle::CheckEditor</name>
     <message>
-        <source>Points: a number from 0 to 1000 is right</source>
-        <translation>Points&#xa0;: il faut un nombre de 0 à 1000</translation>
-    </message>
-    <message>
         <source>What is checked</source>
         <translation>Ce qui est vérifié</translation>
     </message>
@@ -9602,10 +9597,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Kind of the check</source>
         <translation>Type de la vérification</translation>
-    </message>
-    <message>
-        <source>An id of letters, digits, dots, dashes and underscores is right</source>
-        <translation>Il faut un id fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
     </message>
 </context>
 <context>
@@ -12266,10 +12257,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Une autre question a déjà cet id</translation>
     </message>
     <message>
-        <source>Points: a number from 0 to 1000 is right</source>
-        <translation>Points&#xa0;: il faut un nombre de 0 à 1000</translation>
-    </message>
-    <message>
         <source>Tolerance: a number from 0 is right</source>
         <translation>Tolérance&#xa0;: il faut un nombre à partir de 0</translation>
     </message>
@@ -12404,10 +12391,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>What the student sees, answered rightly</source>
         <translation>Ce que voit l&apos;étudiant, avec la bonne réponse</translation>
-    </message>
-    <message>
-        <source>An id of letters, digits, dots, dashes and underscores is right</source>
-        <translation>Il faut un id fait de lettres, de chiffres, de points, de traits d&apos;union et de tirets bas</translation>
     </message>
 </context>
 <context>

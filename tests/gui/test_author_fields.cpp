@@ -22,6 +22,8 @@ private slots:
     void newMistakeKeepsItsCommentApart();
     void sceneThatPassesIsMadeEditedAndRemoved();
     void remarkSaysHowItIsRecognised();
+    void checkIsWorthAFraction();
+    void whatIsTypedGoesWithWhatItIsAbout();
 };
 
 namespace {
@@ -160,6 +162,7 @@ void TestAuthorFields::remarkSaysHowItIsRecognised()
     author.fill("remarkCircles", QStringLiteral("0"));
     QCOMPARE(remark().circles, std::vector<int>{0});
     QCOMPARE(author.find<QLineEdit>("remarkCircles")->text(), QStringLiteral("0"));
+    QCOMPARE(author.window.panes().refused(), {QStringLiteral("BALL1/neat")});
 
     while (author.files() != before) {
         QVERIFY(author.document().undoStack().canUndo());
@@ -170,6 +173,44 @@ void TestAuthorFields::remarkSaysHowItIsRecognised()
     // A mistake is recognised by what it does: there is nothing to say.
     author.window.programsTab().openProgram(QStringLiteral("mistakes/thrown.lua"));
     QVERIFY(below->isVisible() && !below->isTabVisible(1));
+}
+
+/// What the field shows can be typed there, and left there.
+void TestAuthorFields::checkIsWorthAFraction()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    author.window.panes().showTab(AuthorWindow::Checks);
+    author.fill("checkPoints", QStringLiteral("1/3"));
+    QCOMPARE(author.document().form()->checks[0].points, 1.0 / 3.0);
+    auto *points = author.find<QLineEdit>("checkPoints");
+    QCOMPARE(points->text(), QStringLiteral("1/3"));
+    points->setFocus();
+    QTest::keyClick(points, Qt::Key_Return);
+    QVERIFY(author.window.checksTab().refusedChecks().isEmpty());
+}
+
+/// Else it would be told whenever the lab is saved, and nobody could mend it.
+void TestAuthorFields::whatIsTypedGoesWithWhatItIsAbout()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openBall(author, folder);
+    const auto refused = [&] { return author.window.panes().refused(); };
+    author.window.panes().showTab(AuthorWindow::Checks);
+    author.fill("checkPoints", QStringLiteral("many"));
+    const QString first = QStringLiteral("BALL1/") + author.find<QLineEdit>("checkId")->text();
+    QCOMPARE(refused(), {first});
+    author.click(QStringLiteral("Remove the check"));
+    QVERIFY(refused().isEmpty());
+    // Of a step it comes back with that.
+    author.fill("checkPoints", QStringLiteral("few"));
+    QCOMPARE(refused().size(), 1);
+    author.click(QStringLiteral("Remove the step"));
+    QVERIFY(refused().isEmpty());
+    author.document().undoStack().undo();
+    QCOMPARE(refused().size(), 1);
 }
 
 QTEST_MAIN(TestAuthorFields)

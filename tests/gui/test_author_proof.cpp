@@ -62,6 +62,8 @@ void TestAuthorProof::otherStepsAreToldAndOpened()
     breakLastStep(author);
     waitForProof(author, QStringLiteral("Verify this step"));
     QVERIFY(author.window.proofTab().result()->findings.empty());
+    // What was found of step 3 before it was broken is told of it no more.
+    QVERIFY2(!others->isVisible(), qPrintable(others->text()));
     waitForProof(author, QStringLiteral("Verify the lab"));
     QVERIFY(author.window.proofTab().result()->findings.empty());
     QVERIFY2(others->text().contains(QStringLiteral(">3 · Half the height</a> (")),

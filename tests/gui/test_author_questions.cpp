@@ -20,6 +20,7 @@ class TestAuthorQuestions : public QObject
 private slots:
     void questionIsWritten();
     void whatIsNoValueStaysToBeMended();
+    void whatIsNoValueIsToldWhenItIsSaved();
     void answersOfAChoiceAreMarked();
     void theLastOfSeveralIsRemoved();
     void studentAnswersWhatWasWritten();
@@ -82,6 +83,22 @@ void TestAuthorQuestions::whatIsNoValueStaysToBeMended()
     author.click(QStringLiteral("Add a question"));
     author.find<QListWidget>("questions")->setCurrentRow(0);
     QCOMPARE(author.find<QLineEdit>("questionUnit")->text(), QStringLiteral("furlong"));
+}
+
+/// As of checks; and no more of a question that is gone.
+void TestAuthorQuestions::whatIsNoValueIsToldWhenItIsSaved()
+{
+    const QTemporaryDir folder;
+    OpenAuthor author(folder);
+    openQuestions(author, folder);
+    author.fill("questionUnit", QStringLiteral("furlong"));
+    QVERIFY(author.window.files().save());
+    QVERIFY2(author.window.notice().text().contains(QStringLiteral("BALL1/question")),
+             qPrintable(author.window.notice().text()));
+    author.click(QStringLiteral("Remove the question"));
+    QVERIFY(author.window.panes().refused().isEmpty());
+    author.click(QStringLiteral("Add a question"));
+    QCOMPARE(author.find<QLineEdit>("questionUnit")->text(), QString());
 }
 
 void TestAuthorQuestions::answersOfAChoiceAreMarked()

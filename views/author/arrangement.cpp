@@ -74,19 +74,6 @@ double rounded(double length)
     return std::round(length * 1e6) / 1e6 + 0.0;
 }
 
-QString nameOf(Arrangement::Pattern pattern)
-{
-    switch (pattern) {
-    case Arrangement::Pattern::Rack:
-        return ArrangementText::tr("Rack");
-    case Arrangement::Pattern::Grid:
-        return ArrangementText::tr("Grid");
-    case Arrangement::Pattern::Ring:
-        break;
-    }
-    return ArrangementText::tr("Ring");
-}
-
 void addCircle(Preset &preset, Vec2 position, Vec2 velocity, double radius, const char *colour)
 {
     PresetCircle circle;
@@ -99,6 +86,19 @@ void addCircle(Preset &preset, Vec2 position, Vec2 velocity, double radius, cons
 }
 
 } // namespace
+
+QString nameOf(Arrangement::Pattern pattern)
+{
+    switch (pattern) {
+    case Arrangement::Pattern::Rack:
+        return ArrangementText::tr("Rack");
+    case Arrangement::Pattern::Grid:
+        return ArrangementText::tr("Grid");
+    case Arrangement::Pattern::Ring:
+        break;
+    }
+    return ArrangementText::tr("Ring");
+}
 
 int countOf(const Arrangement &a)
 {

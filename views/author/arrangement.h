@@ -23,6 +23,9 @@ struct Arrangement {
     bool hasStriker = true; ///< one more, circle 1, comes from the left at 3 m/s
 };
 
+/// "Rack", in the language of the moment.
+[[nodiscard]] QString nameOf(Arrangement::Pattern pattern);
+
 /// How many circles there are.
 [[nodiscard]] int countOf(const Arrangement &arrangement);
 

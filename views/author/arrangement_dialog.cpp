@@ -24,17 +24,11 @@ ArrangementDialog::ArrangementDialog(Arrangement::Pattern pattern, QWidget *pare
     const Arrangement usual;
     auto *column = new QVBoxLayout(this);
     column->addLayout(m_form);
-    if (pattern == Pattern::Rack) {
-        setWindowTitle(tr("Rack"));
-        m_rows = addCount(tr("Rows"), "arrangementRows", usual.rows);
-    } else if (pattern == Pattern::Grid) {
-        setWindowTitle(tr("Grid"));
-        m_rows = addCount(tr("Rows"), "arrangementRows", usual.rows);
+    setWindowTitle(nameOf(pattern));
+    m_rows = pattern == Pattern::Ring ? addCount(tr("Circles"), "arrangementRows", 8)
+                                      : addCount(tr("Rows"), "arrangementRows", usual.rows);
+    if (pattern == Pattern::Grid)
         m_columns = addCount(tr("Columns"), "arrangementColumns", usual.columns);
-    } else {
-        setWindowTitle(tr("Ring"));
-        m_rows = addCount(tr("Circles"), "arrangementRows", 8);
-    }
     m_radius = addLength(tr("Radius"), "arrangementRadius", usual.radius, 0.01);
     m_gap = addLength(tr("Gap between rims"), "arrangementGap", usual.gap, 0.0);
     m_striker = new QCheckBox(tr("One more comes from the left"), this);

@@ -186,11 +186,11 @@ bool AuthorDocument::editStep(const QString &text, const Result<LabFiles> &after
 bool AuthorDocument::editTask(const QString &text, const std::function<void(TaskForm &)> &change,
                               const QString &mergeKey)
 {
-    Result<TaskForm> form = taskForm(m_files, m_step, m_language);
-    if (!form)
+    Result<TaskForm> changed = form();
+    if (!changed)
         return false;
-    change(*form);
-    return edit(text, withTask(m_files, m_step, *form, m_language), mergeKey);
+    change(*changed);
+    return edit(text, withTask(m_files, m_step, *changed, m_language), mergeKey);
 }
 
 void AuthorDocument::apply(const State &state)

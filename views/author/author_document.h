@@ -37,6 +37,10 @@ public:
     [[nodiscard]] QStringList steps() const;                     ///< folders, in order
     [[nodiscard]] const QString &step() const { return m_step; } ///< the open one; may be empty
     [[nodiscard]] const QString &language() const { return m_language; } ///< of the texts, "en"
+    /// The open step as a form, with texts in the open language.
+    [[nodiscard]] Result<TaskForm> form() const { return taskForm(m_files, m_step, m_language); }
+    /// The path in the lab of what is \p file in the open step's folder: "solution.lua".
+    [[nodiscard]] QString inStep(const QString &file) const { return m_step + u'/' + file; }
     /// The files as they were read from, or written to, the folder last.
     [[nodiscard]] const LabFiles &onDisk() const { return m_onDisk; }
     /// The lab as it was read last, a little after the newest edit.

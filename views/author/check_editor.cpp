@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/check_editor.h"
 
-#include "model/world/shortest_number.h"
 #include "tasks/checks/check_kinds.h"
 #include "views/author/circles_line.h"
 #include "views/author/form_rows.h"
@@ -17,14 +16,12 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QRegularExpression>
 
 namespace cradle {
 
 namespace {
 
 constexpr int shortWidth = 190; ///< px
-constexpr double mostCheckPoints = 1000.0;
 
 } // namespace
 
@@ -114,26 +111,18 @@ void CheckEditor::show(const CheckForm &check, const QString &step)
     if (m_title->text() != check.title)
         m_title->setText(check.title);
     m_texts.show(m_id, check.id);
-    m_texts.show(m_points, pointsText());
+    m_texts.show(m_points, pointsText(check.points));
     m_circles->showCircles(check.circles);
     m_scene->showScene(check.scene);
     showKind();
 }
 
-QString CheckEditor::pointsText() const
-{
-    return m_check.points == 1.0 ? QString() : fractionOrNumber(m_check.points);
-}
-
 void CheckEditor::takeId()
 {
-    static const QRegularExpression form(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     const QString id = m_id->text().trimmed();
-    const bool right = form.match(id).hasMatch();
-    m_texts.judge(m_id, m_check.id,
-                  right ? QString()
-                        : tr("An id of letters, digits, dots, dashes and underscores is right"));
-    if (!right || id == m_check.id)
+    const QString fault = faultOfId(id);
+    m_texts.judge(m_id, m_check.id, fault);
+    if (!fault.isEmpty() || id == m_check.id)
         return;
     m_texts.rename(m_step + QLatin1Char('/') + id);
     m_check.id = id;
@@ -152,15 +141,12 @@ void CheckEditor::showKind()
 
 void CheckEditor::takePoints()
 {
-    bool ok = true;
-    const QString text = m_points->text().trimmed();
-    const double points = text.isEmpty() ? 1.0 : text.toDouble(&ok);
-    const bool right = ok && points >= 0.0 && points <= mostCheckPoints;
-    m_texts.judge(m_points, pointsText(),
-                  right ? QString() : tr("Points: a number from 0 to 1000 is right"));
-    if (!right || points == m_check.points)
+    const Result<double> points = pointsFrom(m_points->text());
+    m_texts.judge(m_points, pointsText(m_check.points),
+                  points ? QString() : points.error().message);
+    if (!points || *points == m_check.points)
         return;
-    m_check.points = points;
+    m_check.points = *points;
     emit edited(m_check, QStringLiteral("points"));
 }
 

@@ -42,7 +42,6 @@ private:
     void showKind();
     void takePoints();
     void takeId();
-    [[nodiscard]] QString pointsText() const;
 
     CheckForm m_check;
     QString m_step; ///< of the check

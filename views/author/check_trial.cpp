@@ -102,8 +102,8 @@ void CheckTrial::attempt()
 {
     m_document.readNow();
     const Task *step = m_document.task();
-    const Result<QString> program = programText(
-        m_document.files(), m_document.step() + QLatin1Char('/') + m_program->currentText());
+    const Result<QString> program =
+        programText(m_document.files(), m_document.inStep(m_program->currentText()));
     if (!program) {
         m_result->setText(program.error().toString());
         return;

@@ -47,23 +47,18 @@ ChecksTab::ChecksTab(AuthorDocument &document, QWidget *parent)
 
 void ChecksTab::makeLayout()
 {
-    m_heading = makeHeading(this);
     auto *side = new QWidget(this);
     m_list = new RowsList(
         QStringLiteral("checks"), side,
         {RowsList::Add, RowsList::Duplicate, RowsList::Remove, RowsList::Up, RowsList::Down});
     m_list->wrapRows();
-    side->setLayout(m_list->underHeading(m_heading));
+    side->setLayout(m_list->underHeading());
 
     m_empty = makeMutedText(this);
     m_empty->setAlignment(Qt::AlignCenter);
     m_editor = new CheckEditor(this);
     m_script = new CheckProgram(m_document, this);
-    m_splitter = new QSplitter(Qt::Vertical, this);
-    m_splitter->addWidget(m_empty);
-    m_splitter->addWidget(scrolled(m_editor));
-    m_splitter->addWidget(m_script);
-    m_splitter->setChildrenCollapsible(false);
+    m_splitter = makeSplitter(Qt::Vertical, {m_empty, scrolled(m_editor), m_script}, {});
     m_trial = new CheckTrial(m_document, this);
     auto *right = new QWidget(this);
     layOutColumn(right, {}, 0, {{m_splitter, 1}, m_trial});
@@ -89,8 +84,7 @@ void ChecksTab::wire()
 
 void ChecksTab::reload()
 {
-    const Result<TaskForm> form =
-        taskForm(m_document.files(), m_document.step(), m_document.language());
+    const Result<TaskForm> form = m_document.form();
     setEnabled(form.ok());
     m_checks = form ? form->checks : std::vector<CheckForm>();
     const int before = m_shownStep == m_document.step() ? m_list->currentRow() : 0;
@@ -101,7 +95,6 @@ void ChecksTab::reload()
     m_list->showRows(titles, before);
     for (int i = 0; i < m_list->count(); ++i)
         m_list->item(i)->setToolTip(m_checks[static_cast<std::size_t>(i)].id);
-    m_heading->setText(tr("Checks · %1").arg(m_list->count()));
     showCurrent();
 }
 
@@ -126,8 +119,7 @@ void ChecksTab::markRefused()
 {
     const QStringList refused = m_editor->refusedTexts().subjects();
     for (int i = 0; i < m_list->count() && i < static_cast<int>(m_checks.size()); ++i) {
-        const QString subject =
-            m_document.step() + QLatin1Char('/') + m_checks[static_cast<std::size_t>(i)].id;
+        const QString subject = m_document.inStep(m_checks[static_cast<std::size_t>(i)].id);
         m_list->item(i)->setIcon(refused.contains(subject) ? icon(u"warning", IconTint::Warning)
                                                            : QIcon());
         if (i == m_list->currentRow())
@@ -237,6 +229,7 @@ void ChecksTab::removeCheck()
     if (at < 0)
         return;
     std::vector<CheckForm> checks = m_checks;
+    m_editor->refusedTexts().forget(m_document.inStep(checks[static_cast<std::size_t>(at)].id));
     checks.erase(checks.begin() + at);
     store(tr("Remove a check"), checks, std::min(at, static_cast<int>(checks.size()) - 1));
 }
@@ -250,14 +243,14 @@ void ChecksTab::move(int from, int to)
 
 void ChecksTab::retranslate()
 {
-    m_heading->setText(tr("Checks · %1").arg(m_list->count()));
-    m_list->setAccessibleName(tr("Checks of the step"));
+    m_list->setTexts(tr("Checks of the step"),
+                     {{RowsList::Add, tr("Add a check")},
+                      {RowsList::Duplicate, tr("Duplicate the check")},
+                      {RowsList::Remove, tr("Remove the check")},
+                      {RowsList::Up, tr("Move the check up")},
+                      {RowsList::Down, tr("Move the check down")}},
+                     tr("Checks · %1"));
     m_empty->setText(tr("No check yet. Add one with the plus, then say what is right."));
-    m_list->nameButton(RowsList::Add, tr("Add a check"));
-    m_list->nameButton(RowsList::Duplicate, tr("Duplicate the check"));
-    m_list->nameButton(RowsList::Remove, tr("Remove the check"));
-    m_list->nameButton(RowsList::Up, tr("Move the check up"));
-    m_list->nameButton(RowsList::Down, tr("Move the check down"));
 }
 
 } // namespace cradle

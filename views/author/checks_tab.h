@@ -58,7 +58,6 @@ private:
 
     AuthorDocument &m_document;
     std::vector<CheckForm> m_checks;
-    QLabel *m_heading = nullptr;
     RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QSplitter *m_splitter = nullptr;

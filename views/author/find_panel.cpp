@@ -5,7 +5,6 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
-#include "views/author/tool_buttons.h"
 #include "views/boxes.h"
 #include "views/choice_box.h"
 #include "views/on_change.h"
@@ -126,9 +125,7 @@ void FindPanel::wire()
         goTo(m_list->currentRow() + 1 < m_list->count() ? m_list->currentRow() + 1 : 0);
     });
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
-    const auto choose = [this](QListWidgetItem *item) { goTo(m_list->row(item)); };
-    connect(m_list, &QListWidget::itemClicked, this, choose);
-    connect(m_list, &QListWidget::itemActivated, this, choose);
+    connect(m_list, &RowsList::chosen, this, &FindPanel::goTo);
 }
 
 void FindPanel::open(const QString &text)

@@ -40,11 +40,8 @@ FindingsList::FindingsList(AuthorDocument &document, QWidget *parent)
     m_list->setMaximumHeight(mostHeight);
     layOutColumn(this, {}, 0, {m_heading, m_list});
     connect(&document, &AuthorDocument::labRead, this, &FindingsList::reload);
-    const auto choose = [this](QListWidgetItem *item) {
-        emit chosen(m_findings[static_cast<std::size_t>(m_list->row(item))]);
-    };
-    connect(m_list, &QListWidget::itemClicked, this, choose);
-    connect(m_list, &QListWidget::itemActivated, this, choose);
+    connect(m_list, &RowsList::chosen, this,
+            [this](int row) { emit chosen(m_findings[static_cast<std::size_t>(row)]); });
     reload();
     onChange(this, {QEvent::LanguageChange}, [this] { retranslate(); });
     onChange(this, {QEvent::PaletteChange}, [this] { reload(); });

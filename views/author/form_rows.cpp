@@ -2,20 +2,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/form_rows.h"
 
+#include "model/files/expression.h"
+#include "model/world/shortest_number.h"
 #include "views/author/refused_texts.h"
 #include "views/boxes.h"
+#include "views/icons.h"
 #include "views/theme.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStyle>
+#include <QToolButton>
 #include <QVariant>
 
 namespace cradle {
+
+QLabel *makeHeading(QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setFont(headingFont());
+    setKind(label, "heading");
+    return label;
+}
+
+QToolButton *makeIconButton(const QString &iconName, QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setIcon(icon(iconName));
+    button->setIconSize(iconSquare(16));
+    button->setAutoRaise(true);
+    return button;
+}
+
+void nameButton(QToolButton *button, const QString &name, const QString &keys)
+{
+    button->setAccessibleName(name);
+    button->setToolTip(keys.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, keys));
+}
 
 QFormLayout *makeFormRows()
 {
@@ -28,6 +57,12 @@ QFormLayout *makeFormRows()
 }
 
 namespace {
+
+struct FormText {
+    Q_DECLARE_TR_FUNCTIONS(AuthorForms)
+};
+
+constexpr double mostPoints = 1000.0; ///< as in task.schema.json
 
 /// nullptr if \p field has none.
 QLabel *captionOf(const QWidget *field)
@@ -78,7 +113,8 @@ QSplitter *makeSplitter(Qt::Orientation orientation, const QList<QWidget *> &par
     for (QWidget *part : parts)
         splitter->addWidget(part);
     splitter->setChildrenCollapsible(false);
-    splitter->setSizes(sizes);
+    if (!sizes.isEmpty())
+        splitter->setSizes(sizes);
     return splitter;
 }
 
@@ -146,6 +182,29 @@ void markRefused(QWidget *field, bool refused)
     field->setProperty("refused", refused);
     field->style()->unpolish(field);
     field->style()->polish(field);
+}
+
+QString faultOfId(const QString &id)
+{
+    static const QRegularExpression form(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
+    return form.match(id).hasMatch()
+               ? QString()
+               : FormText::tr("An id of letters, digits, dots, dashes and underscores is right");
+}
+
+QString pointsText(double points)
+{
+    return points == 1.0 ? QString() : fractionOrNumber(points);
+}
+
+Result<double> pointsFrom(const QString &text)
+{
+    if (text.trimmed().isEmpty())
+        return 1.0;
+    const Result<double> points = evaluated(text);
+    if (!points || *points < 0.0 || *points > mostPoints)
+        return Error{.message = FormText::tr("Points: a number from 0 to 1000 is right")};
+    return points;
 }
 
 void fillKindList(QComboBox *list, const std::vector<KindInfo> &kinds)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/world/result.h"
 #include "tasks/checks/check_kinds.h"
 
 #include <QList>
@@ -13,6 +14,7 @@ class QLabel;
 class QPlainTextEdit;
 class QScrollArea;
 class QSplitter;
+class QToolButton;
 class QWidget;
 QT_END_NAMESPACE
 
@@ -21,6 +23,16 @@ namespace cradle {
 class RefusedTexts;
 
 // What the author's forms have in common.
+
+/// A section heading, still without text.
+[[nodiscard]] QLabel *makeHeading(QWidget *parent);
+
+/// A flat button with the icon of that name, for a row beside a list. Its words come with
+/// nameButton().
+[[nodiscard]] QToolButton *makeIconButton(const QString &iconName, QWidget *parent);
+
+/// The button's tooltip and accessible name; \p keys are told in the tooltip.
+void nameButton(QToolButton *button, const QString &name, const QString &keys = {});
 
 /// Captions at the left, fields that take the rest of the width.
 [[nodiscard]] QFormLayout *makeFormRows();
@@ -40,7 +52,7 @@ void nameField(QWidget *field, const QString &caption, const QString &tip = {},
 void showField(QWidget *field, bool visible);
 
 /// \p parts beside or below each other; none can be folded away.
-/// \param sizes  px, to begin with
+/// \param sizes  px, to begin with; empty: as the parts want it
 [[nodiscard]] QSplitter *makeSplitter(Qt::Orientation orientation, const QList<QWidget *> &parts,
                                       const QList<int> &sizes);
 
@@ -66,6 +78,14 @@ void showRefusal(QLabel *label, const QString &reason);
 
 /// Marks a field whose input cannot be taken.
 void markRefused(QWidget *field, bool refused);
+
+/// Why \p id cannot be that of a check or a question; empty if it can.
+[[nodiscard]] QString faultOfId(const QString &id);
+
+/// What passing a check, or a right answer, is worth, as its line has it: 1 where that is empty.
+[[nodiscard]] QString pointsText(double points);
+/// \return an error that says what would be right
+[[nodiscard]] Result<double> pointsFrom(const QString &text);
 
 /// Fills a list with the titles of kinds; its data are their names.
 void fillKindList(QComboBox *list, const std::vector<KindInfo> &kinds);

@@ -91,11 +91,11 @@ void HintsList::move(int from, int to)
 
 void HintsList::retranslate()
 {
-    m_list->setAccessibleName(tr("Hints, in the order of opening"));
-    m_list->nameButton(RowsList::Add, tr("Add a hint"));
-    m_list->nameButton(RowsList::Remove, tr("Remove the hint"));
-    m_list->nameButton(RowsList::Up, tr("Move the hint up"));
-    m_list->nameButton(RowsList::Down, tr("Move the hint down"));
+    m_list->setTexts(tr("Hints, in the order of opening"),
+                     {{RowsList::Add, tr("Add a hint")},
+                      {RowsList::Remove, tr("Remove the hint")},
+                      {RowsList::Up, tr("Move the hint up")},
+                      {RowsList::Down, tr("Move the hint down")}});
 }
 
 } // namespace cradle

@@ -20,7 +20,7 @@ MarkdownEditor::MarkdownEditor(QWidget *parent)
     setTabChangesFocus(true);
     setFrameShape(QFrame::NoFrame);
     document()->setDocumentMargin(12);
-    applyLook();
+    setFont(codeFont());
     connect(this, &QPlainTextEdit::textChanged, this, [this] {
         // New colours are told in the same way.
         const QString text = toPlainText();
@@ -33,6 +33,14 @@ MarkdownEditor::MarkdownEditor(QWidget *parent)
 }
 
 MarkdownEditor::~MarkdownEditor() = default;
+
+QTextCursor MarkdownEditor::selected(qsizetype start, qsizetype length) const
+{
+    QTextCursor cursor(document());
+    cursor.setPosition(static_cast<int>(start));
+    cursor.setPosition(static_cast<int>(start + length), QTextCursor::KeepAnchor);
+    return cursor;
+}
 
 void MarkdownEditor::showText(const QString &text)
 {
@@ -48,10 +56,8 @@ void MarkdownEditor::showText(const QString &text)
            && before[before.size() - 1 - tail] == text[text.size() - 1 - tail])
         ++tail;
     m_showing = true;
-    QTextCursor cursor(document());
-    cursor.setPosition(static_cast<int>(same));
-    cursor.setPosition(static_cast<int>(before.size() - tail), QTextCursor::KeepAnchor);
-    cursor.insertText(text.mid(same, text.size() - same - tail));
+    selected(same, before.size() - tail - same)
+        .insertText(text.mid(same, text.size() - same - tail));
     m_text = text;
     m_showing = false;
     if (same == 0 && tail == 0)
@@ -87,10 +93,7 @@ void MarkdownEditor::setKnownNames(const TextNames &known)
 
 void MarkdownEditor::goTo(const UnknownName &name)
 {
-    QTextCursor cursor(document());
-    cursor.setPosition(static_cast<int>(name.start));
-    cursor.setPosition(static_cast<int>(name.start + name.length), QTextCursor::KeepAnchor);
-    setTextCursor(cursor);
+    setTextCursor(selected(name.start, name.length));
     setFocus();
 }
 
@@ -110,10 +113,7 @@ void MarkdownEditor::lookForNames()
     QList<QTextEdit::ExtraSelection> marks;
     for (const UnknownName &name : unknown) {
         QTextEdit::ExtraSelection mark;
-        mark.cursor = QTextCursor(document());
-        mark.cursor.setPosition(static_cast<int>(name.start));
-        mark.cursor.setPosition(static_cast<int>(name.start + name.length),
-                                QTextCursor::KeepAnchor);
+        mark.cursor = selected(name.start, name.length);
         mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
         mark.format.setUnderlineColor(theme().warning);
         marks.append(mark);
@@ -123,11 +123,6 @@ void MarkdownEditor::lookForNames()
     m_unknown = std::move(unknown);
     if (!same)
         emit unknownChanged();
-}
-
-void MarkdownEditor::applyLook()
-{
-    setFont(codeFont());
 }
 
 void MarkdownEditor::changeEvent(QEvent *event)

@@ -37,7 +37,7 @@ protected:
 
 private:
     void lookForNames();
-    void applyLook();
+    [[nodiscard]] QTextCursor selected(qsizetype start, qsizetype length) const;
 
     MarkdownHighlighter *m_highlighter; ///< child of the document
     TextNames m_known;

@@ -4,14 +4,17 @@
 
 #include "views/author/form_rows.h"
 #include "views/author/markdown_editor.h"
+#include "views/boxes.h"
 #include "views/on_change.h"
 #include "views/task_pane/prediction_card.h"
+#include "views/theme.h"
 
 #include <QButtonGroup>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
 #include <QToolButton>
 
 namespace cradle {
@@ -21,7 +24,10 @@ namespace {
 // The bounds of task.schema.json, in characters.
 constexpr int longestQuestion = 400;
 constexpr int longestOutcome = 1000;
+constexpr int longestGuess = 100;
 constexpr int fewestGuesses = 2;
+constexpr int questionHeight = 72; ///< px
+constexpr int outcomeHeight = 104; ///< px
 
 bool fits(const QString &text, int longest)
 {
@@ -39,20 +45,98 @@ PredictionEditor::PredictionEditor(FormulaRenderer *renderer, QWidget *parent)
     setPrediction({});
 }
 
+void PredictionEditor::makeLayout(FormulaRenderer *renderer)
+{
+    auto *side = new QWidget;
+    layOutColumn(side, {12, 8, 12, 8}, -1, {makeNothing(side), makeForm(side), BoxPart::rest()});
+    m_cardsPane = scrolled(makeCards(renderer));
+    layOutSideBySide(this, {scrolled(side), m_cardsPane}, {500, 500});
+}
+
+QWidget *PredictionEditor::makeNothing(QWidget *parent)
+{
+    m_nothing = new QWidget(parent);
+    m_none = makeMutedText(m_nothing);
+    m_begin = new QPushButton(m_nothing);
+    layOutColumn(m_nothing, {}, 8, {m_none, {m_begin, 0, Qt::AlignLeft}});
+    return m_nothing;
+}
+
+QWidget *PredictionEditor::makeForm(QWidget *parent)
+{
+    m_form = new QWidget(parent);
+    m_question = makeTextField(QStringLiteral("predictionQuestion"), questionHeight, m_form);
+    m_answersCaption = new QLabel(m_form);
+    m_answersCaption->setWordWrap(true);
+    // In the order in which Tab goes through them.
+    m_right = new QButtonGroup(m_form);
+    for (int i = 0; i < mostAnswers; ++i)
+        makeAnswer(i);
+    m_add = new QPushButton(m_form);
+    setKind(m_add, "link");
+    m_outcome = makeTextField(QStringLiteral("predictionOutcome"), outcomeHeight, m_form);
+    QLabel *outcome = makeCaption(m_outcome);
+    outcome->setWordWrap(true);
+    m_refusal = makeRefusal(m_form);
+    m_removeAll = new QPushButton(m_form);
+    setKind(m_removeAll, "link");
+    auto *answers = makeColumn({}, 6);
+    for (const AnswerRow &row : m_rows)
+        answers->addWidget(row.widget);
+    layOutColumn(m_form, {}, 6,
+                 {makeCaption(m_question),
+                  m_question,
+                  BoxPart::space(4),
+                  m_answersCaption,
+                  answers,
+                  {m_add, 0, Qt::AlignLeft},
+                  BoxPart::space(4),
+                  outcome,
+                  m_outcome,
+                  m_refusal,
+                  BoxPart::space(4),
+                  {m_removeAll, 0, Qt::AlignLeft}});
+    return m_form;
+}
+
+void PredictionEditor::makeAnswer(int answer)
+{
+    AnswerRow &row = m_rows[answer];
+    row.widget = new QWidget(m_form);
+    row.right = new QRadioButton(row.widget);
+    row.text = new QLineEdit(row.widget);
+    row.text->setObjectName(QStringLiteral("predictionAnswer%1").arg(answer + 1));
+    row.text->setMaxLength(longestGuess);
+    row.remove = makeIconButton(QStringLiteral("remove"), row.widget);
+    m_right->addButton(row.right, answer);
+    layOutRow(row.widget, {}, 8, {row.right, {row.text, 1}, row.remove});
+}
+
+QWidget *PredictionEditor::makeCards(FormulaRenderer *renderer)
+{
+    m_cards = new QWidget;
+    m_cards->setAttribute(Qt::WA_TransparentForMouseEvents); // they are to be looked at
+    m_beforeCaption = makeMutedText(m_cards);
+    m_before = new PredictionCard(renderer, m_cards);
+    m_afterCaption = makeMutedText(m_cards);
+    m_after = new PredictionCard(renderer, m_cards);
+    layOutColumn(
+        m_cards, {12, 8, 12, 8}, 8,
+        {m_beforeCaption, m_before, BoxPart::space(8), m_afterCaption, m_after, BoxPart::rest()});
+    return m_cards;
+}
+
 void PredictionEditor::wire()
 {
     connect(m_begin, &QPushButton::clicked, this, &PredictionEditor::begin);
     connect(m_add, &QPushButton::clicked, this, &PredictionEditor::addAnswer);
-    connect(m_removeAll, &QPushButton::clicked, this, [this] {
-        setPrediction({});
-        emit edited(m_prediction, {});
-    });
+    connect(m_removeAll, &QPushButton::clicked, this, [this] { change({}); });
     connect(m_question, &MarkdownEditor::edited, this,
             [this] { take(QStringLiteral("question")); });
     connect(m_outcome, &MarkdownEditor::edited, this, [this] { take(QStringLiteral("outcome")); });
     connect(m_right, &QButtonGroup::idClicked, this, [this] { take(QStringLiteral("right")); });
     for (int i = 0; i < mostAnswers; ++i) {
-        const AnswerRow &row = m_rows[static_cast<std::size_t>(i)];
+        const AnswerRow &row = m_rows[i];
         connect(row.text, &QLineEdit::textEdited, this,
                 [this, i] { take(QStringLiteral("answer%1").arg(i)); });
         connect(row.remove, &QToolButton::clicked, this, [this, i] { removeAnswer(i); });
@@ -86,7 +170,7 @@ void PredictionEditor::showAnswers()
     const auto count = static_cast<int>(m_prediction->answers.size());
     m_right->setExclusive(false); // else none could be left unchecked
     for (int i = 0; i < mostAnswers; ++i) {
-        const AnswerRow &row = m_rows[static_cast<std::size_t>(i)];
+        const AnswerRow &row = m_rows[i];
         row.widget->setVisible(i < count);
         row.right->setChecked(i == m_prediction->right);
         if (row.text->text() != m_prediction->answers.value(i))
@@ -121,13 +205,18 @@ void PredictionEditor::enableFields()
     }
 }
 
+void PredictionEditor::change(const std::optional<Prediction> &prediction)
+{
+    setPrediction(prediction);
+    emit edited(m_prediction, {});
+}
+
 void PredictionEditor::begin()
 {
-    setPrediction(Prediction{.question = tr("What will happen?"),
-                             .answers = {tr("The first answer"), tr("The second answer")},
-                             .right = 0,
-                             .outcome = tr("What happens, and why.")});
-    emit edited(m_prediction, {});
+    change(Prediction{.question = tr("What will happen?"),
+                      .answers = {tr("The first answer"), tr("The second answer")},
+                      .right = 0,
+                      .outcome = tr("What happens, and why.")});
     m_question->setFocus();
     m_question->selectAll();
 }
@@ -136,11 +225,10 @@ void PredictionEditor::addAnswer()
 {
     Prediction prediction = *m_prediction;
     prediction.answers.append(tr("Another answer"));
-    setPrediction(prediction);
-    emit edited(m_prediction, {});
-    const AnswerRow &last = m_rows[static_cast<std::size_t>(prediction.answers.size() - 1)];
-    last.text->setFocus();
-    last.text->selectAll();
+    change(prediction);
+    QLineEdit *last = m_rows[prediction.answers.size() - 1].text;
+    last->setFocus();
+    last->selectAll();
 }
 
 void PredictionEditor::removeAnswer(int answer)
@@ -151,8 +239,7 @@ void PredictionEditor::removeAnswer(int answer)
         prediction.right = 0;
     else if (prediction.right > answer)
         --prediction.right;
-    setPrediction(prediction);
-    emit edited(m_prediction, {});
+    change(prediction);
 }
 
 /// What keeps \p prediction from being written; marks the answers that are at fault.
@@ -165,7 +252,7 @@ QString PredictionEditor::faultOf(const Prediction &prediction)
         fault = tr("A text of 1 to %1 characters on what happens is right").arg(longestOutcome);
     for (int i = 0; i < static_cast<int>(prediction.answers.size()); ++i) {
         const bool empty = prediction.answers[i].isEmpty(); // a field takes no longer ones
-        markRefused(m_rows[static_cast<std::size_t>(i)].text, empty);
+        markRefused(m_rows[i].text, empty);
         if (empty)
             fault = tr("An answer of 1 to 100 characters is right");
     }
@@ -180,7 +267,7 @@ void PredictionEditor::take(const QString &field)
     prediction.question = m_question->toPlainText();
     prediction.outcome = m_outcome->toPlainText();
     for (int i = 0; i < static_cast<int>(prediction.answers.size()); ++i)
-        prediction.answers[i] = m_rows[static_cast<std::size_t>(i)].text->text();
+        prediction.answers[i] = m_rows[i].text->text();
     if (m_right->checkedId() >= 0)
         prediction.right = m_right->checkedId();
     const QString fault = faultOf(prediction);
@@ -201,7 +288,7 @@ void PredictionEditor::retranslate()
     m_answersCaption->setText(tr("Answers: two to four that students truly believe; mark the one "
                                  "that comes true"));
     for (int i = 0; i < mostAnswers; ++i) {
-        const AnswerRow &row = m_rows[static_cast<std::size_t>(i)];
+        const AnswerRow &row = m_rows[i];
         row.right->setAccessibleName(tr("Answer %1 comes true").arg(i + 1));
         row.right->setToolTip(row.right->accessibleName());
         row.text->setAccessibleName(tr("Answer %1").arg(i + 1));

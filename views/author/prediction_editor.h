@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include <array>
+#include <optional>
 
 QT_BEGIN_NAMESPACE
 class QButtonGroup;
@@ -55,6 +55,7 @@ private:
     void wire();
     void retranslate();
     void setPrediction(const std::optional<Prediction> &prediction);
+    void change(const std::optional<Prediction> &prediction); ///< and tells of it
     void showAnswers();
     void showCards();
     void enableFields();
@@ -73,7 +74,7 @@ private:
     MarkdownEditor *m_question = nullptr;
     QLabel *m_answersCaption = nullptr;
     QButtonGroup *m_right = nullptr;
-    std::array<AnswerRow, mostAnswers> m_rows{};
+    AnswerRow m_rows[mostAnswers]{};
     QPushButton *m_add = nullptr;
     MarkdownEditor *m_outcome = nullptr;
     QLabel *m_refusal = nullptr;

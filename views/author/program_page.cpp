@@ -77,7 +77,7 @@ QWidget *ProgramPage::makeRecognition()
 
 QString ProgramPage::path() const
 {
-    return m_document.step() + QLatin1Char('/') + m_program;
+    return m_document.inStep(m_program);
 }
 
 bool ProgramPage::isTranslation() const
@@ -163,7 +163,7 @@ int ProgramPage::markDifference()
     std::vector<int> lines;
     if (kindOfProgram(m_program) && m_applies) {
         const QString solution =
-            textOf(m_document.files(), m_document.step() + QStringLiteral("/solution.lua"));
+            textOf(m_document.files(), m_document.inStep(QStringLiteral("solution.lua")));
         const auto comment =
             static_cast<int>(firstCommentBlock(m_editor->text()).count(QLatin1Char('\n')) + 2);
         for (const DiffLine &line : lineDiff(solution, m_editor->text())) {
@@ -213,7 +213,7 @@ void ProgramPage::showMessage()
 
 void ProgramPage::showRemark()
 {
-    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    const Result<TaskForm> form = m_document.form();
     for (std::size_t i = 0; form && i < form->remarks.size(); ++i) {
         if (fileOfProgram(KnownKind::Remark, form->remarks[i].id) == m_program)
             m_remark->show(form->remarks[i], m_document.step());

@@ -28,6 +28,7 @@ public:
     explicit ProgramPage(AuthorDocument &document, QWidget *parent = nullptr);
 
     [[nodiscard]] CodeEditor &editor() { return *m_editor; }
+    [[nodiscard]] RemarkEditor &remark() { return *m_remark; }
     /// Shows a program of the open step: "solution.lua" or "mistakes/NAME.lua".
     void showProgram(const QString &program);
     void showRecognition(); ///< of a remark

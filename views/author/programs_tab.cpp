@@ -7,6 +7,7 @@
 #include "views/author/other_mistakes_menu.h"
 #include "views/author/program_files.h"
 #include "views/author/program_page.h"
+#include "views/author/remark_editor.h"
 #include "views/author/rows_list.h"
 #include "views/code/code_editor.h"
 #include "views/icons.h"
@@ -14,7 +15,6 @@
 #include "views/on_change.h"
 
 #include <QBoxLayout>
-#include <QLabel>
 #include <QSplitter>
 #include <QToolButton>
 
@@ -41,7 +41,6 @@ ProgramsTab::ProgramsTab(AuthorDocument &document, QWidget *parent)
 
 void ProgramsTab::makeLayout()
 {
-    m_heading = makeHeading(this);
     auto *side = new QWidget(this);
     m_list = new RowsList(QStringLiteral("programs"), side,
                           {RowsList::Add, RowsList::Rename, RowsList::Remove});
@@ -52,7 +51,7 @@ void ProgramsTab::makeLayout()
     m_otherMenu = new OtherMistakesMenu(m_document, m_addMenu);
     add->setMenu(m_addMenu);
     add->setPopupMode(QToolButton::InstantPopup);
-    side->setLayout(m_list->underHeading(m_heading));
+    side->setLayout(m_list->underHeading());
     m_page = new ProgramPage(m_document, this);
 
     layOutSideBySide(this, {side, m_page}, {programsWidth, 800})->setStretchFactor(1, 1);
@@ -63,6 +62,8 @@ void ProgramsTab::wire()
     connect(&m_document, &AuthorDocument::changed, this, &ProgramsTab::reload);
     connect(&m_document, &AuthorDocument::stepChanged, this, &ProgramsTab::reload);
     connect(&m_document, &AuthorDocument::languageChanged, this, &ProgramsTab::reload);
+    connect(&m_document, &AuthorDocument::opened, &m_page->remark().refusedTexts(),
+            &RefusedTexts::clear);
     connect(m_list, &RowsList::currentRowChanged, this, [this](int row) {
         if (m_loading || row < 0)
             return;
@@ -87,11 +88,13 @@ void ProgramsTab::fillList()
 {
     const LabFiles &files = m_document.files();
     const QString &step = m_document.step();
+    const auto isThere = [&](const QString &file) {
+        return files.contents.contains(m_document.inStep(file));
+    };
     QStringList programs{QStringLiteral("starter.lua")};
     for (const QString &language : languagesOf(files).mid(1)) {
         const QString translated = QStringLiteral("starter.%1.lua").arg(language);
-        if (files.contents.contains(step + QStringLiteral("/starter.lua"))
-            || files.contents.contains(step + QLatin1Char('/') + translated))
+        if (isThere(programs.front()) || isThere(translated))
             programs.append(translated);
     }
     programs.append(QStringLiteral("solution.lua"));
@@ -134,7 +137,12 @@ void ProgramsTab::showProgram()
 
 QString ProgramsTab::path() const
 {
-    return m_document.step() + QLatin1Char('/') + m_program;
+    return m_document.inStep(m_program);
+}
+
+QStringList ProgramsTab::refusedRemarks() const
+{
+    return m_page->remark().refusedTexts().subjects();
 }
 
 CodeEditor &ProgramsTab::editor()
@@ -164,7 +172,7 @@ void ProgramsTab::addKnown(KnownKind kind)
                      "and where to look.\n")
                 : tr("-- What is good about it, in a few words\n--\n-- What it does otherwise than "
                      "most, and what that is worth.\n");
-    const QString solution = textOf(files, m_document.step() + QStringLiteral("/solution.lua"));
+    const QString solution = textOf(files, m_document.inStep(QStringLiteral("solution.lua")));
     m_program = fileOfProgram(kind, name);
     if (m_document.edit(mistake ? tr("Add a mistake") : tr("Add a remark"),
                         withKnownAdded(files, m_document.step(), kind, name,
@@ -184,10 +192,12 @@ void ProgramsTab::takeOver(const OtherMistake &mistake)
 void ProgramsTab::removeProgram()
 {
     const auto kind = kindOfProgram(m_program);
+    const QString name = nameOfProgram(m_program);
+    if (kind == KnownKind::Remark)
+        m_page->remark().refusedTexts().forget(m_document.inStep(name));
     if (kind)
         m_document.edit(tr("Remove a program"),
-                        withKnownRemoved(m_document.files(), m_document.step(), *kind,
-                                         nameOfProgram(m_program)));
+                        withKnownRemoved(m_document.files(), m_document.step(), *kind, name));
     else
         m_document.edit(tr("Remove a program"), withoutFile(m_document.files(), path()));
 }
@@ -218,8 +228,11 @@ void ProgramsTab::renameTo(const QString &file, const QString &name)
     const auto kind = kindOfProgram(file);
     const Result<LabFiles> renamed =
         withKnownRenamed(m_document.files(), m_document.step(), *kind, nameOfProgram(file), name);
-    if (renamed && m_program == file)
+    if (renamed && m_program == file) {
         m_program = fileOfProgram(*kind, name);
+        if (kind == KnownKind::Remark)
+            m_page->remark().refusedTexts().rename(m_document.inStep(name));
+    }
     m_listed.clear();
     if (!m_document.edit(tr("Rename a program"), renamed))
         reload();
@@ -243,11 +256,11 @@ void ProgramsTab::openRemark(const QString &name)
 
 void ProgramsTab::retranslate()
 {
-    m_heading->setText(tr("Programs"));
-    m_list->setAccessibleName(tr("Programs of the step"));
-    m_list->nameButton(RowsList::Add, tr("Add a program"));
-    m_list->nameButton(RowsList::Rename, tr("Rename the program"));
-    m_list->nameButton(RowsList::Remove, tr("Remove the program"));
+    m_list->setTexts(tr("Programs of the step"),
+                     {{RowsList::Add, tr("Add a program")},
+                      {RowsList::Rename, tr("Rename the program")},
+                      {RowsList::Remove, tr("Remove the program")}},
+                     tr("Programs"));
     m_addMenu->clear();
     m_addMenu->addAction(tr("A &mistake that students make"), this, &ProgramsTab::addMistake);
     m_addMenu->addAction(tr("A &remark on work that passes"), this, &ProgramsTab::addRemark);

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
-class QLabel;
 class QListWidgetItem;
 QT_END_NAMESPACE
 
@@ -34,6 +33,8 @@ public:
     /// Shows how a remark of the open step is recognised.
     void openRemark(const QString &name);
     [[nodiscard]] const QString &program() const { return m_program; }
+    /// The remarks of any step, "STEP/ID", in which something is typed that is no value.
+    [[nodiscard]] QStringList refusedRemarks() const;
 
 public slots:
     void addMistake();
@@ -55,7 +56,6 @@ private:
     [[nodiscard]] QString path() const; ///< in the lab
 
     AuthorDocument &m_document;
-    QLabel *m_heading = nullptr;
     RowsList *m_list = nullptr;
     Menu *m_addMenu = nullptr;
     OtherMistakesMenu *m_otherMenu = nullptr;

@@ -45,22 +45,17 @@ void ProofTab::makeLayout()
                 {m_verifyStep, m_verifyAll, m_suggest, BoxPart::rest(), m_progress, m_stop});
     m_summary = new QLabel(this);
     m_summary->setWordWrap(true);
-    m_summary->setContentsMargins(12, 0, 12, 6);
-    m_stale = new QLabel(this);
-    m_stale->setContentsMargins(12, 0, 12, 6);
-    setKind(m_stale, "muted");
     m_others = new QLabel(this);
     m_others->setObjectName(QStringLiteral("otherSteps"));
     m_others->setTextFormat(Qt::RichText);
     m_others->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     m_others->setWordWrap(true);
-    m_others->setContentsMargins(12, 0, 12, 6);
-
-    m_empty = new QLabel(this);
+    m_stale = makeMutedText(this);
+    for (QLabel *label : {m_summary, m_others, m_stale})
+        label->setContentsMargins(12, 0, 12, 6);
+    m_empty = makeMutedText(this);
     m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
     m_empty->setContentsMargins(40, 40, 40, 40);
-    setKind(m_empty, "muted");
     m_matrix = new ProofMatrix(this);
     m_rows = new ProofRows(this);
     QSplitter *splitter = makeSplitter(Qt::Vertical, {m_matrix, m_rows}, {320, 220});
@@ -119,17 +114,25 @@ void ProofTab::verifyStep()
         showStep();
         return;
     }
-    m_verifiedFiles = m_document.files();
-    setRunning(true);
-    m_job.verify(m_document.lab(), taskId());
+    verify(taskId());
 }
 
 void ProofTab::verifyAll()
 {
     m_document.readNow();
+    verify({});
+}
+
+/// What was found before stays only as long as the lab is the same.
+void ProofTab::verify(const QString &only)
+{
+    if (m_verifiedFiles != m_document.files()) {
+        m_verified.clear();
+        showStep();
+    }
     m_verifiedFiles = m_document.files();
     setRunning(true);
-    m_job.verify(m_document.lab(), {});
+    m_job.verify(m_document.lab(), only);
 }
 
 void ProofTab::suggest()
@@ -168,7 +171,7 @@ void ProofTab::setRunning(bool running)
     showSummary();
 }
 
-/// What was found of other steps before stays, as long as the lab is the same.
+/// What was found of other steps before stays.
 void ProofTab::takeVerified(const std::vector<VerifiedTask> &tasks)
 {
     for (const VerifiedTask &task : tasks) {

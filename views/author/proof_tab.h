@@ -50,6 +50,7 @@ private:
     void makeLayout();
     void wire();
     void retranslate();
+    void verify(const QString &only); ///< a task's id; empty: all
     void setRunning(bool running);
     void takeVerified(const std::vector<VerifiedTask> &tasks);
     void takeSuggested(const Suggestions &suggestions);

@@ -42,7 +42,7 @@ const CheckOutcome *ProofTab::outcomeOf(const LabFinding &finding) const
 QString ProofTab::sourceOf(const QString &program) const
 {
     const Result<QString> source =
-        programText(m_verifiedFiles, QStringLiteral("%1/%2.lua").arg(m_document.step(), program));
+        programText(m_verifiedFiles, m_document.inStep(program + QStringLiteral(".lua")));
     return source ? *source : QString();
 }
 

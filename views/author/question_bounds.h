@@ -13,7 +13,6 @@ inline constexpr int mostAnswers = 8;
 inline constexpr int fewestAnswers = 2;
 inline constexpr int longestAnswer = 200;
 inline constexpr int mostQuestions = 20;
-inline constexpr double mostPoints = 1000.0;
 
 /// In the order of the list.
 inline constexpr Question::Kind kinds[] = {Question::Kind::Number, Question::Kind::One,

@@ -4,6 +4,7 @@
 
 #include "tasks/lab/question.h"
 #include "tasks/values/lab_values.h"
+#include "views/author/form_line.h"
 #include "views/author/refused_texts.h"
 
 #include <QWidget>
@@ -13,7 +14,6 @@
 QT_BEGIN_NAMESPACE
 class QComboBox;
 class QLabel;
-class QLineEdit;
 QT_END_NAMESPACE
 
 namespace cradle {
@@ -35,7 +35,8 @@ public:
     /// \param values  that expressions may name
     void showQuestions(const std::vector<Question> &questions, const QString &step,
                        const Values &values, bool readOnly);
-    void forgetTexts() { m_texts.clear(); } ///< of another lab
+    /// What was typed into questions, "STEP/ID", and is no value.
+    [[nodiscard]] RefusedTexts &refusedTexts() { return m_texts; }
 
 signals:
     /// \param field  that was typed into; empty if a question or an answer came, went or moved
@@ -43,6 +44,7 @@ signals:
 
 private:
     enum Line { Title, Id, Points, Number, Tolerance, Unit, LineCount };
+    static const FormLine<Question> lines[LineCount];
 
     QWidget *makeList();
     QWidget *makeForm();
@@ -65,7 +67,6 @@ private:
     void takeAnswers();
     void tell(const QString &field);
     [[nodiscard]] bool isShown(Line line) const;
-    [[nodiscard]] QString valueText(Line line) const;
     [[nodiscard]] QString takeText(Line line, const QString &text);
     [[nodiscard]] int at() const;
     [[nodiscard]] Question &current() { return m_questions[static_cast<std::size_t>(at())]; }
@@ -79,7 +80,6 @@ private:
     Values m_values;
     RefusedTexts m_texts;
     bool m_readOnly = false;
-    QLabel *m_heading = nullptr;
     RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_form = nullptr;

@@ -11,8 +11,6 @@
 #include "views/author/rows_list.h"
 
 #include <QComboBox>
-#include <QLineEdit>
-#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -45,6 +43,7 @@ void QuestionsEditor::add()
 
 void QuestionsEditor::remove()
 {
+    m_texts.forget(m_step + QLatin1Char('/') + current().id);
     m_questions.erase(m_questions.begin() + at());
     tell({});
 }
@@ -81,7 +80,6 @@ void QuestionsEditor::takeKind()
 /// \return why it cannot be taken; empty if it was
 QString QuestionsEditor::takeText(Line line, const QString &text)
 {
-    static const QRegularExpression idForm(QStringLiteral("^[A-Za-z0-9._-]{1,64}$"));
     Question &question = current();
     const Result<double> number = evaluated(withoutMarks(text), m_values, question.unit);
     bool isPlain = false;
@@ -93,8 +91,8 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
         question.title = text;
         break;
     case Id:
-        if (!idForm.match(text).hasMatch())
-            return tr("An id of letters, digits, dots, dashes and underscores is right");
+        if (const QString fault = faultOfId(text); !fault.isEmpty())
+            return fault;
         if (std::any_of(m_questions.begin(), m_questions.end(), [&](const Question &each) {
                 return &each != &question && each.id == text;
             }))
@@ -103,11 +101,10 @@ QString QuestionsEditor::takeText(Line line, const QString &text)
         break;
     case Points:
         // The same for everybody: without values.
-        if (const auto points = evaluated(text);
-            !text.isEmpty() && (!points || *points < 0.0 || *points > mostPoints))
-            return tr("Points: a number from 0 to 1000 is right");
+        if (const Result<double> points = pointsFrom(text))
+            question.points = *points;
         else
-            question.points = text.isEmpty() ? 1.0 : *points;
+            return points.error().message;
         break;
     case Number:
         if (!number)
@@ -138,7 +135,7 @@ void QuestionsEditor::takeLine(Line line)
         return;
     QLineEdit *edit = m_lines[line];
     const Question before = current();
-    const QString value = valueText(line);
+    const QString value = lines[line].textIn(before);
     const QString reason = takeText(line, edit->text().trimmed());
     m_texts.judge(edit, value, reason);
     if (line == Id && reason.isEmpty())

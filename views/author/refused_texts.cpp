@@ -41,6 +41,15 @@ void RefusedTexts::rename(const QString &subject)
     setSubject(subject);
 }
 
+void RefusedTexts::forget(const QString &subject)
+{
+    const auto isOfIt = [start = subject + between](const auto &text) {
+        return text.key().startsWith(start);
+    };
+    if (m_texts.removeIf(isOfIt) > 0)
+        emit changed();
+}
+
 void RefusedTexts::keep(const QString &field, const Text &text)
 {
     m_texts.insert(m_subject + field, text);

@@ -28,6 +28,8 @@ public:
     void setSubject(const QString &subject);
     /// The subject is called otherwise from now on.
     void rename(const QString &subject);
+    /// What \p subject names is gone, and with it what was typed into its fields.
+    void forget(const QString &subject);
     void keep(const QString &field, const Text &text);
     void drop(const QString &field);
     /// The text that \p field is to show in place of \p value; nullptr if there is none, or if the

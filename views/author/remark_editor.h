@@ -27,6 +27,8 @@ public:
 
     void show(const RemarkForm &remark, const QString &step);
     void setReadOnly(bool readOnly);
+    /// What was typed into remarks, "STEP/ID", and is no value.
+    [[nodiscard]] RefusedTexts &refusedTexts() { return m_texts; }
 
 signals:
     void edited(const cradle::RemarkForm &remark, const QString &field);

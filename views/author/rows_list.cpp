@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/author/rows_list.h"
 
-#include "views/author/tool_buttons.h"
+#include "views/author/form_rows.h"
 #include "views/boxes.h"
 #include "views/theme.h"
 
@@ -38,14 +38,6 @@ public:
 
 } // namespace
 
-QLabel *makeHeading(QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setFont(headingFont());
-    setKind(label, "heading");
-    return label;
-}
-
 RowsList::RowsList(const QString &name, QWidget *parent, std::initializer_list<Button> buttons)
     : QListWidget(parent)
 {
@@ -68,12 +60,30 @@ RowsList::RowsList(const QString &name, QWidget *parent, std::initializer_list<B
     listen(Up, [this] { emit moveRequested(currentRow(), currentRow() - 1); });
     listen(Down, [this] { emit moveRequested(currentRow(), currentRow() + 1); });
     connect(this, &QListWidget::currentRowChanged, this, &RowsList::followRow);
+    for (const auto way : {&QListWidget::itemClicked, &QListWidget::itemActivated})
+        connect(this, way, this, [this](QListWidgetItem *item) { emit chosen(row(item)); });
+    for (const auto counted : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(model(), counted, this, &RowsList::showHeading);
+    connect(model(), &QAbstractItemModel::modelReset, this, &RowsList::showHeading);
 }
 
-void RowsList::nameButton(Button which, const QString &name)
+void RowsList::setTexts(const QString &name,
+                        std::initializer_list<std::pair<Button, QString>> buttons,
+                        const QString &heading)
 {
     const QString keys[] = {{}, {}, tr("F2"), tr("Delete"), tr("Alt+Up"), tr("Alt+Down")};
-    cradle::nameButton(m_buttons[which], name, keys[which]);
+    setAccessibleName(name);
+    for (const auto &[which, text] : buttons)
+        nameButton(m_buttons[which], text, keys[which]);
+    m_headingText = heading;
+    showHeading();
+}
+
+void RowsList::showHeading()
+{
+    if (m_heading)
+        m_heading->setText(
+            QString(m_headingText).replace(QLatin1String("%1"), QString::number(count())));
 }
 
 void RowsList::enableButtons(bool writable, int fewest, int most)
@@ -96,9 +106,10 @@ void RowsList::followRow()
     }
 }
 
-QBoxLayout *RowsList::underHeading(QLabel *heading)
+QBoxLayout *RowsList::underHeading()
 {
-    auto *row = makeRow({12, 6, 6, 4}, 0, {{heading, 1}});
+    m_heading = makeHeading(parentWidget());
+    auto *row = makeRow({12, 6, 6, 4}, 0, {{m_heading, 1}});
     for (const Button each : {Up, Down, Add, Duplicate, Rename, Remove}) {
         if (m_buttons[each])
             row->addWidget(m_buttons[each]);

@@ -14,11 +14,9 @@ QT_END_NAMESPACE
 
 namespace cradle {
 
-/// A section heading, still without text.
-[[nodiscard]] QLabel *makeHeading(QWidget *parent);
-
 /// Rows without a frame, as all lists of the author's window look, with a button for each thing
 /// that can be done with them. Alt+Up, Alt+Down and Delete press these, as far as they are enabled.
+/// Its heading counts the rows.
 class RowsList final : public QListWidget
 {
     Q_OBJECT
@@ -31,13 +29,17 @@ public:
 
     /// nullptr if there is none.
     [[nodiscard]] QToolButton *button(Button which) const { return m_buttons[which]; }
-    /// Its tooltip, with the key that presses it, and accessible name.
-    void nameButton(Button which, const QString &name);
+    /// The words of the list in the language of the moment.
+    /// \param name  for screen readers
+    /// \param buttons  tooltips and names of its buttons; the keys that press them are added
+    /// \param heading  "%1" in it is the number of rows
+    void setTexts(const QString &name, std::initializer_list<std::pair<Button, QString>> buttons,
+                  const QString &heading = {});
     /// Enables the buttons as long as there are no more rows than \p most and no fewer than
     /// \p fewest; none of them if the rows are not \p writable.
     void enableButtons(bool writable, int fewest = 0, int most = std::numeric_limits<int>::max());
-    /// \p heading with the buttons at its right, and the list below.
-    [[nodiscard]] QBoxLayout *underHeading(QLabel *heading);
+    /// The heading with the buttons at its right, and the list below.
+    [[nodiscard]] QBoxLayout *underHeading();
     /// Lets long texts take several lines.
     void wrapRows();
 
@@ -46,6 +48,7 @@ public:
     void showRows(const QStringList &texts, int current);
 
 signals:
+    void chosen(int row); ///< by a click or Return
     void addRequested();
     void duplicateRequested();
     void renameRequested(); ///< also by F2, which does what it always does if nobody listens
@@ -57,7 +60,10 @@ protected:
 
 private:
     void followRow();
+    void showHeading();
 
+    QLabel *m_heading = nullptr; ///< if it stands under one
+    QString m_headingText;
     QToolButton *m_buttons[ButtonCount]{};
     bool m_writable = false;
     int m_fewest = 0;

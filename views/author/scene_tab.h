@@ -68,6 +68,7 @@ private:
     void reload();
     void takePreset();
     void fillTemplates();
+    void take(const Preset &scene); ///< a template
     void arrange(Arrangement::Pattern pattern);
     void fillLocks();
     void showLocks();

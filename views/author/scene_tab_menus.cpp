@@ -16,21 +16,20 @@ namespace cradle {
 void SceneTab::fillTemplates()
 {
     m_templates->clear();
-    for (const SceneTemplate scene : allTemplates) {
-        QAction *action = m_templates->addAction(titleOf(scene));
-        connect(action, &QAction::triggered, this, [this, scene] {
-            m_preset.edit(tr("Take the template %1").arg(titleOf(scene)), presetOf(scene));
-        });
-    }
+    for (const Preset &scene : sceneTemplates())
+        m_templates->addAction(scene.name, this, [this, scene] { take(scene); });
     m_templates->addSeparator();
     using Pattern = Arrangement::Pattern;
     const std::pair<QString, Pattern> patterns[] = {{tr("&Rack…"), Pattern::Rack},
                                                     {tr("Gr&id…"), Pattern::Grid},
                                                     {tr("Ri&ng…"), Pattern::Ring}};
-    for (const auto &[name, pattern] : patterns) {
-        QAction *action = m_templates->addAction(name);
-        connect(action, &QAction::triggered, this, [this, pattern = pattern] { arrange(pattern); });
-    }
+    for (const auto &[name, pattern] : patterns)
+        m_templates->addAction(name, this, [this, pattern = pattern] { arrange(pattern); });
+}
+
+void SceneTab::take(const Preset &scene)
+{
+    m_preset.edit(tr("Take the template %1").arg(scene.name), scene);
 }
 
 /// Asks how many circles, and puts them into the scene.
@@ -40,7 +39,7 @@ void SceneTab::arrange(Arrangement::Pattern pattern)
     if (dialog.exec() != QDialog::Accepted)
         return;
     if (const Result<Preset> made = cradle::presetOf(dialog.arrangement()))
-        m_preset.edit(tr("Take the template %1").arg(dialog.windowTitle()), *made);
+        take(*made);
 }
 
 void SceneTab::fillLocks()
@@ -69,8 +68,7 @@ void SceneTab::fillLocks()
 void SceneTab::showLocks()
 {
     fillLocks();
-    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
-    const QStringList locked = form ? form->locked : QStringList();
+    const QStringList locked = lockedFields();
     for (QAction *action : m_locks->actions())
         action->setChecked(locked.contains(action->data().toString()));
     m_lockButton->setText(locked.isEmpty() ? tr("Lock…") : tr("Locked: %1").arg(locked.size()));

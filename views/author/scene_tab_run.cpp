@@ -26,14 +26,14 @@ QString SceneTab::moverSource() const
     if (m_mover->currentIndex() != 1 || which() != StepPreset::Start)
         return {};
     const LabFiles &files = m_document.files();
-    const QString written = textOf(files, m_document.step() + QStringLiteral("/solution.lua"));
+    const QString written = textOf(files, m_document.inStep(QStringLiteral("solution.lua")));
     const auto source = withNumbers(written, valuesOf(files, m_document.step(), {}), true);
     return source ? *source : written;
 }
 
 QStringList SceneTab::lockedFields() const
 {
-    const Result<TaskForm> form = taskForm(m_document.files(), m_document.step());
+    const Result<TaskForm> form = m_document.form();
     return form ? form->locked : QStringList();
 }
 

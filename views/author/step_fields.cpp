@@ -90,8 +90,7 @@ void StepFields::reload()
         line->setReadOnly(m_document.isReadOnly());
     m_extra->setEnabled(!m_document.isReadOnly());
     m_moves->setEnabled(!m_document.isReadOnly());
-    const Result<TaskForm> form =
-        taskForm(m_document.files(), m_document.step(), m_document.language());
+    const Result<TaskForm> form = m_document.form();
     if (!form)
         return;
     if (m_shownStep != m_document.step() || !m_id->isModified())

@@ -6,8 +6,8 @@
 #include "tasks/values/lab_values.h"
 #include "tasks/values/put_values.h"
 #include "views/author/findings_list.h"
+#include "views/author/form_rows.h"
 #include "views/author/rows_list.h"
-#include "views/author/tool_buttons.h"
 #include "views/boxes.h"
 #include "views/icons.h"
 #include "views/on_change.h"
@@ -76,7 +76,6 @@ void StepsPanel::makeLayout()
     m_title->setWordWrap(true);
     setKind(m_title, "cardTitle");
     m_properties = makeIconButton(QStringLiteral("settings"), this);
-    m_heading = makeHeading(this);
     m_list = new RowsList(
         QStringLiteral("authorSteps"), this,
         {RowsList::Add, RowsList::Duplicate, RowsList::Remove, RowsList::Up, RowsList::Down});
@@ -92,7 +91,7 @@ void StepsPanel::makeLayout()
     });
     m_findings = new FindingsList(m_document, this);
     auto *lab = makeRow({12, 6, 6, 0}, -1, {{m_title, 1}, {m_properties, 0, Qt::AlignTop}});
-    layOutColumn(this, {}, 0, {lab, {m_list->underHeading(m_heading), 1}, m_findings});
+    layOutColumn(this, {}, 0, {lab, {m_list->underHeading(), 1}, m_findings});
 }
 
 void StepsPanel::reloadIfNew()
@@ -274,15 +273,15 @@ void StepsPanel::takeOrder()
 
 void StepsPanel::retranslate()
 {
-    m_heading->setText(tr("Steps · %1").arg(m_list->count()));
-    m_list->setAccessibleName(tr("Steps of the lab"));
+    m_list->setTexts(tr("Steps of the lab"),
+                     {{RowsList::Add, tr("Add a step")},
+                      {RowsList::Duplicate, tr("Duplicate the step")},
+                      {RowsList::Remove, tr("Remove the step")},
+                      {RowsList::Up, tr("Move the step up")},
+                      {RowsList::Down, tr("Move the step down")}},
+                     tr("Steps · %1"));
     m_title->setText(m_document.title());
     nameButton(m_properties, tr("Title, version and id of the lab"));
-    m_list->nameButton(RowsList::Add, tr("Add a step"));
-    m_list->nameButton(RowsList::Duplicate, tr("Duplicate the step"));
-    m_list->nameButton(RowsList::Remove, tr("Remove the step"));
-    m_list->nameButton(RowsList::Up, tr("Move the step up"));
-    m_list->nameButton(RowsList::Down, tr("Move the step down"));
 }
 
 } // namespace cradle

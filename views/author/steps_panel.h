@@ -59,7 +59,6 @@ private:
     AuthorDocument &m_document;
     QLabel *m_title = nullptr; ///< of the lab
     QToolButton *m_properties = nullptr;
-    QLabel *m_heading = nullptr;
     RowsList *m_list = nullptr;
     FindingsList *m_findings = nullptr;
     QByteArrayList m_shown; ///< what the rows were made of

@@ -120,7 +120,8 @@ void TextTab::wire()
     });
     connect(m_prediction, &PredictionEditor::edited, this, &TextTab::takePrediction);
     connect(m_questions, &QuestionsEditor::edited, this, &TextTab::takeQuestions);
-    connect(&m_document, &AuthorDocument::opened, m_questions, &QuestionsEditor::forgetTexts);
+    connect(&m_document, &AuthorDocument::opened, &m_questions->refusedTexts(),
+            &RefusedTexts::clear);
     connect(&m_previewTimer, &QTimer::timeout, this, &TextTab::showPreview);
 }
 
@@ -155,8 +156,7 @@ void TextTab::reload()
 
 void TextTab::reloadForm()
 {
-    const Result<TaskForm> form =
-        taskForm(m_document.files(), m_document.step(), m_document.language());
+    const Result<TaskForm> form = m_document.form();
     m_hints->setVisible(form && part() != Instructions);
     m_values->reload();
     if (!form)

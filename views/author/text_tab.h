@@ -48,8 +48,8 @@ public:
     void openLine(int line); ///< of the instructions, from 1; 0: none of them
     /// The values, at one of \p step, or of the lab if that is empty.
     void openValue(const QString &step, const QString &name);
-    /// Values of which a field holds what is none.
-    [[nodiscard]] QStringList refusedValues() const;
+    /// Values and questions of which a field holds what is none.
+    [[nodiscard]] QStringList refused() const;
 
 signals:
     void figureRequested(); ///< the author wants the scene as a figure

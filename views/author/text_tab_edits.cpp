@@ -5,6 +5,7 @@
 #include "tasks/authoring/lab_edits.h"
 #include "views/author/hints_list.h"
 #include "views/author/markdown_editor.h"
+#include "views/author/questions_editor.h"
 #include "views/author/values_editor.h"
 #include "views/choice_box.h"
 
@@ -90,9 +91,9 @@ void TextTab::openValue(const QString &step, const QString &name)
     m_values->showValue(step, name);
 }
 
-QStringList TextTab::refusedValues() const
+QStringList TextTab::refused() const
 {
-    return m_values->refused();
+    return m_values->refused() + m_questions->refusedTexts().subjects();
 }
 
 void TextTab::insertFigure(const QString &name, const QString &description)

@@ -60,7 +60,7 @@ void TextTab::showPreview()
         m_preview->setMarkdown(text, QUrl::fromLocalFile(folder));
         return;
     }
-    const auto form = taskForm(m_document.files(), m_document.step(), m_document.language());
+    const Result<TaskForm> form = m_document.form();
     Task task = form ? seenBy(*form, shown) : Task();
     task.id = m_document.step();
     task.folder = folder;

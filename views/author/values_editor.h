@@ -4,13 +4,13 @@
 
 #include "tasks/authoring/values_form.h"
 #include "views/author/author_document.h"
+#include "views/author/form_line.h"
 #include "views/author/refused_texts.h"
 
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
 class QLabel;
-class QLineEdit;
 QT_END_NAMESPACE
 
 namespace cradle {
@@ -34,6 +34,8 @@ public:
 
 private:
     enum Line { Name, Expression, From, To, Step, LineCount };
+    static const FormLine<ValueForm> lines[LineCount];
+
     /// A value and where it stands.
     struct Row {
         QString step; ///< empty: of the whole lab
@@ -57,7 +59,6 @@ private:
     void takeDraw();
     void put(const Row &row, const QString &mergeKey);
     [[nodiscard]] QString rowText(const Row &row) const;
-    [[nodiscard]] QString valueText(Line line) const;
     [[nodiscard]] bool isShown(Line line) const;
     /// The value as it is typed, and what is wrong with which line.
     [[nodiscard]] ValueForm typed(QString (&reasons)[LineCount], Line changed) const;
@@ -72,7 +73,6 @@ private:
     QString m_chosen; ///< subjectOf() the current row
     RefusedTexts m_texts;
     int m_typing = 0; ///< typing into one value is one undo step a line
-    QLabel *m_heading = nullptr;
     RowsList *m_list = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_form = nullptr;

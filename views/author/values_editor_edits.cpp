@@ -11,13 +11,23 @@
 #include "views/choice_box.h"
 
 #include <QLabel>
-#include <QLineEdit>
 
 #include <algorithm>
+#include <span>
 
 namespace cradle {
 
 // What is typed into the form, and where it goes.
+
+namespace {
+
+bool areEmpty(std::span<const QString> texts)
+{
+    return std::all_of(texts.begin(), texts.end(),
+                       [](const QString &text) { return text.isEmpty(); });
+}
+
+} // namespace
 
 /// The names of the other values of a step, or of the lab.
 QStringList ValuesEditor::taken(const QString &step) const
@@ -73,23 +83,19 @@ ValueForm ValuesEditor::typed(QString (&reasons)[LineCount], Line changed) const
                            "sin does, is right");
     else if (taken(current().step).contains(value.name))
         reasons[Name] = tr("Another value has this name already");
-    const auto number = [&](Line line, double &into) {
-        const Result<double> result = evaluated(m_lines[line]->text());
-        if (result)
-            into = *result;
+    for (int i = Expression; i < LineCount; ++i) {
+        const QString text = m_lines[i]->text().trimmed();
+        const Result<double> number = evaluated(text);
+        if (!isShown(static_cast<Line>(i)))
+            continue;
+        if (lines[i].text)
+            value.*lines[i].text = text;
+        else if (number)
+            value.*lines[i].number = *number;
         else
-            reasons[line] = result.error().message;
-    };
-    if (value.drawn) {
-        number(From, value.from);
-        number(To, value.to);
-        number(Step, value.step);
-    } else {
-        value.expression = m_lines[Expression]->text().trimmed();
+            reasons[i] = number.error().message;
     }
-    const bool readable = std::all_of(std::begin(reasons), std::end(reasons),
-                                      [](const QString &reason) { return reason.isEmpty(); });
-    if (!readable)
+    if (!areEmpty(reasons))
         return value;
     const Result<LabFiles> files = with({current().step, value});
     const Line place = !value.drawn ? Expression : changed == Name ? From : changed;
@@ -105,15 +111,14 @@ void ValuesEditor::takeLines(Line changed)
         return;
     QString reasons[LineCount];
     const ValueForm value = typed(reasons, changed);
-    const bool right = std::all_of(std::begin(reasons), std::end(reasons),
-                                   [](const QString &reason) { return reason.isEmpty(); });
+    const bool right = areEmpty(reasons);
     for (int i = 0; i < LineCount; ++i) {
-        const Line line = static_cast<Line>(i);
         QLineEdit *edit = m_lines[i];
-        if (!isShown(line))
+        if (!isShown(static_cast<Line>(i)))
             continue;
-        if (!right && (edit->text() != valueText(line) || !reasons[i].isEmpty()))
-            m_texts.keep(edit->objectName(), {edit->text(), valueText(line), reasons[i]});
+        const QString shown = lines[i].textIn(current().value);
+        if (!right && (edit->text() != shown || !reasons[i].isEmpty()))
+            m_texts.keep(edit->objectName(), {edit->text(), shown, reasons[i]});
         else
             m_texts.drop(edit->objectName());
         markRefused(edit, !reasons[i].isEmpty());
@@ -129,8 +134,7 @@ void ValuesEditor::takeKind()
     if (at() < 0 || drawn == current().value.drawn)
         return;
     Row row = current();
-    for (const QLineEdit *line : m_lines)
-        m_texts.drop(line->objectName());
+    m_texts.forget(m_chosen);
     row.value.drawn = drawn;
     if (drawn) {
         row.value.from = valuesOf(m_document.files(), row.step, {}).value(row.value.name);
@@ -177,7 +181,7 @@ void ValuesEditor::add()
     };
     const QString name = freeName(QStringLiteral("value"), isTaken, {});
     values.push_back({.name = name, .expression = QStringLiteral("1")});
-    m_chosen = m_document.step() + QLatin1Char('/') + name;
+    m_chosen = m_document.inStep(name);
     ++m_typing;
     if (!m_document.edit(tr("Add a value"),
                          withValueForms(m_document.files(), m_document.step(), values)))
@@ -200,8 +204,7 @@ void ValuesEditor::remove()
                        [&](const ValueForm &value) { return value.name == row.value.name; }),
         values.end());
     const int before = at();
-    for (const QLineEdit *line : m_lines)
-        m_texts.drop(line->objectName());
+    m_texts.forget(m_chosen);
     if (m_document.edit(tr("Remove a value"), withValueForms(m_document.files(), row.step, values)))
         m_list->setCurrentRow(std::min(before, m_list->count() - 1));
 }
