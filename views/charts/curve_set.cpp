@@ -192,51 +192,36 @@ CurveSet CurveSet::whole(const Recording &recording, const Preset &preset, qint6
     return all.within(maxBytes);
 }
 
-void CurveSet::clear(CurveGroups groups)
-{
-    const auto clearMotion = [groups](MotionCurves &curves, CurveGroup kinetic) {
-        for (std::size_t part = 0; part < momentumGroups.size(); ++part) {
-            if (groups & momentumGroups[part])
-                curves.momentum[part].clear();
-        }
-        if (groups & kinetic)
-            curves.kinetic.clear();
-    };
-    clearMotion(m_sum, CurveGroup::Kinetic);
-    for (MotionCurves &curves : m_circles) {
-        clearMotion(curves, CurveGroup::KineticOfEach);
-        if (groups & CurveGroup::TotalOfEach)
-            curves.total.clear();
-        if (groups & CurveGroup::KineticUpTo)
-            curves.kineticUpTo.clear();
-    }
-    if (groups & CurveGroup::Potential)
-        m_potential.clear();
-    if (groups & CurveGroup::Made)
-        m_made.clear();
-}
-
+/// Visits each curve with the group that it is of; none for those that are always kept.
 template <typename Visit>
 void CurveSet::forEach(Visit visit)
 {
-    const auto visitMotion = [&](MotionCurves &curves) {
-        for (MinMaxPyramid &curve : curves.momentum)
-            visit(curve);
-        visit(curves.kinetic);
-        visit(curves.total);
-        visit(curves.kineticUpTo);
+    const auto visitMotion = [&](MotionCurves &curves, CurveGroups kinetic, CurveGroups total) {
+        for (std::size_t part = 0; part < momentumGroups.size(); ++part)
+            visit(curves.momentum[part], momentumGroups[part]);
+        visit(curves.kinetic, kinetic);
+        visit(curves.total, total);
+        visit(curves.kineticUpTo, CurveGroup::KineticUpTo);
     };
     for (MotionCurves &curves : m_circles)
-        visitMotion(curves);
-    visitMotion(m_sum);
-    visit(m_potential);
-    visit(m_dissipated);
-    visit(m_made);
+        visitMotion(curves, CurveGroup::KineticOfEach, CurveGroup::TotalOfEach);
+    visitMotion(m_sum, CurveGroup::Kinetic, {});
+    visit(m_potential, CurveGroup::Potential);
+    visit(m_dissipated, CurveGroups());
+    visit(m_made, CurveGroup::Made);
+}
+
+void CurveSet::clear(CurveGroups groups)
+{
+    forEach([groups](MinMaxPyramid &curve, CurveGroups group) {
+        if (groups & group)
+            curve.clear();
+    });
 }
 
 void CurveSet::dropBefore(double time)
 {
-    forEach([time](MinMaxPyramid &curve) { curve.dropBefore(time); });
+    forEach([time](MinMaxPyramid &curve, CurveGroups) { curve.dropBefore(time); });
 }
 
 void CurveSet::dropOldest()
@@ -257,7 +242,7 @@ qint64 CurveSet::bytes() const
 {
     qint64 sum = 0;
     const_cast<CurveSet *>(this)->forEach(
-        [&sum](const MinMaxPyramid &curve) { sum += curve.bytes(); });
+        [&sum](const MinMaxPyramid &curve, CurveGroups) { sum += curve.bytes(); });
     return sum;
 }
 

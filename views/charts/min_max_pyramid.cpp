@@ -8,6 +8,15 @@
 
 namespace cradle {
 
+/// The first of the samples [\p from, \p to) of which \p isBefore does not hold, as it does of all
+/// before it.
+template <class IsBefore>
+qint64 MinMaxPyramid::firstNot(IsBefore isBefore, qint64 from, qint64 to) const
+{
+    const auto begin = m_samples.begin() + (from - m_first);
+    return from + (std::partition_point(begin, begin + (to - from), isBefore) - begin);
+}
+
 void MinMaxPyramid::append(double time, double value)
 {
     if (!std::isfinite(time) || !std::isfinite(value))
@@ -61,11 +70,7 @@ void MinMaxPyramid::dropBefore(double time)
 
 double MinMaxPyramid::valueAt(double time) const
 {
-    if (isEmpty())
-        return 0.0;
-    const auto later = std::upper_bound(m_samples.begin(), m_samples.end(), time,
-                                        [](double t, const QPointF &s) { return t < s.x(); });
-    return later == m_samples.begin() ? later->y() : std::prev(later)->y();
+    return isEmpty() ? 0.0 : sample(std::max(firstAfter(time, m_first) - 1, m_first)).y();
 }
 
 std::pair<double, double> MinMaxPyramid::bounds(double t0, double t1) const
@@ -93,17 +98,6 @@ QList<QPointF> MinMaxPyramid::decimate(double t0, double t1, int columns) const
     Window window;
     decimate(window, t0, t1, columns);
     return window.m_points;
-}
-
-/// The first of the samples [\p from, \p to) whose column is not \p column or one before it. By
-/// the samples' columns, not by the time of its edge: that would round otherwise than they do.
-template <class ColumnOf>
-qint64 MinMaxPyramid::firstBehind(double column, ColumnOf columnOf, qint64 from, qint64 to) const
-{
-    const auto begin = m_samples.begin() + (from - m_first);
-    const auto found = std::partition_point(
-        begin, begin + (to - from), [&](const QPointF &s) { return columnOf(s) <= column; });
-    return m_first + (found - m_samples.begin());
 }
 
 void MinMaxPyramid::decimate(Window &window, double t0, double t1, int columns) const
@@ -141,7 +135,10 @@ void MinMaxPyramid::decimate(Window &window, double t0, double t1, int columns) 
         return std::min(std::floor(s.x() / width), last);
     };
     for (qint64 i = from; i < to;) {
-        const qint64 next = firstBehind(columnOf(sample(i)), columnOf, i, to);
+        // By the samples' columns, not by the time of its edge: that would round otherwise.
+        const qint64 next = firstNot(
+            [&, column = columnOf(sample(i))](const QPointF &s) { return columnOf(s) <= column; },
+            i, to);
         if (next < end()) {
             window.m_settled = points.size();
             window.m_next = i;
@@ -166,16 +163,12 @@ qint64 MinMaxPyramid::bytes() const
 
 qint64 MinMaxPyramid::firstNotBefore(double time, qint64 from) const
 {
-    const auto found = std::lower_bound(m_samples.begin() + (from - m_first), m_samples.end(), time,
-                                        [](const QPointF &s, double t) { return s.x() < t; });
-    return m_first + (found - m_samples.begin());
+    return firstNot([time](const QPointF &s) { return s.x() < time; }, from, end());
 }
 
 qint64 MinMaxPyramid::firstAfter(double time, qint64 from) const
 {
-    const auto found = std::upper_bound(m_samples.begin() + (from - m_first), m_samples.end(), time,
-                                        [](double t, const QPointF &s) { return t < s.x(); });
-    return m_first + (found - m_samples.begin());
+    return firstNot([time](const QPointF &s) { return s.x() <= time; }, from, end());
 }
 
 MinMaxPyramid::Extremes MinMaxPyramid::extremes(qint64 from, qint64 to, std::size_t levels) const

@@ -87,9 +87,8 @@ private:
     [[nodiscard]] qint64 end() const { return m_first + static_cast<qint64>(m_samples.size()); }
     [[nodiscard]] qint64 firstNotBefore(double time, qint64 from) const;
     [[nodiscard]] qint64 firstAfter(double time, qint64 from) const;
-    template <class ColumnOf>
-    [[nodiscard]] qint64 firstBehind(double column, ColumnOf columnOf, qint64 from,
-                                     qint64 to) const;
+    template <class IsBefore>
+    [[nodiscard]] qint64 firstNot(IsBefore isBefore, qint64 from, qint64 to) const;
     /// \param levels  how many of the levels may be used
     [[nodiscard]] Extremes extremes(qint64 from, qint64 to, std::size_t levels) const;
     [[nodiscard]] Extremes extremes(qint64 from, qint64 to) const

@@ -115,17 +115,22 @@ void PhaseChart::reset()
     m_throttle->request();
 }
 
+std::optional<QPointF> PhaseChart::pointOf(const PhaseMoment &moment, const Preset &preset) const
+{
+    const auto x = valueOf(m_across, moment, preset);
+    const auto y = valueOf(m_up, moment, preset);
+    if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y))
+        return std::nullopt;
+    return QPointF(*x, *y);
+}
+
 std::optional<QPointF> PhaseChart::pointAt(qint64 index) const
 {
     const Recording &recording = m_simulation.recording();
     PhaseMoment moment{recording.time(index), recording.circles(index), {}};
     if (m_simulation.shadow())
         moment.exact = m_simulation.shadow()->circles(index);
-    const auto x = valueOf(m_across, moment, m_simulation.preset());
-    const auto y = valueOf(m_up, moment, m_simulation.preset());
-    if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y))
-        return std::nullopt;
-    return QPointF(*x, *y);
+    return pointOf(moment, m_simulation.preset());
 }
 
 void PhaseChart::read()
@@ -211,11 +216,8 @@ void PhaseChart::addPinned(PhasePicture &picture, double from, double to) const
             const double time = recording.time(i) - run.branch;
             if (time < from || time > to)
                 continue;
-            const PhaseMoment moment{time, recording.circles(i), {}};
-            const auto x = valueOf(m_across, moment, run.source.preset);
-            const auto y = valueOf(m_up, moment, run.source.preset);
-            if (x && y && std::isfinite(*x) && std::isfinite(*y))
-                curve.points.append({*x, *y});
+            if (const auto point = pointOf({time, recording.circles(i), {}}, run.source.preset))
+                curve.points.append(*point);
         }
         if (!curve.points.isEmpty())
             picture.curves.push_back(curve);

@@ -61,8 +61,11 @@ private:
     [[nodiscard]] QPointF placeShown() const override;
     [[nodiscard]] bool isZoomed() const override;
     [[nodiscard]] TimeWindow::Span timesShown() const; ///< where the horizontal axis is the time
+    [[nodiscard]] TimeWindow::Span spanShown() const;  ///< of the run alone
     void fillAxisMenu(Menu &menu, PhaseVariable &axis);
     void addPinned(PhasePicture &picture, double from, double to) const;
+    [[nodiscard]] std::optional<QPointF> pointOf(const PhaseMoment &moment,
+                                                 const Preset &preset) const;
     [[nodiscard]] std::optional<QPointF> pointAt(qint64 index) const;
     [[nodiscard]] QColor colour() const;
 

@@ -75,9 +75,7 @@ QByteArray PhaseChart::table()
         QStringLiteral("%1,%2,%3\n")
             .arg(header({Quantity::Time, PhaseVariable::together}), header(m_across), header(m_up))
             .toUtf8();
-    const double end = recording.time(recording.last());
-    const TimeWindow::Span span =
-        m_window->choose({recording.time(recording.first()), end}, end, m_simulation.time());
+    const TimeWindow::Span span = spanShown();
     for (qint64 i = recording.first(); i <= recording.last(); ++i) {
         const double time = recording.time(i);
         const auto point = pointAt(i);
@@ -162,11 +160,9 @@ QString PhaseChart::told() const
 void PhaseChart::play()
 {
     const Recording &recording = m_simulation.recording();
-    const double end = recording.time(recording.last());
-    const TimeWindow::Span span =
-        m_window->choose({recording.time(recording.first()), end}, end, m_simulation.time());
+    const TimeWindow::Span span = spanShown();
     const qint64 from = recording.indexAt(span.from);
-    const qint64 to = recording.indexAt(std::min(span.to, end));
+    const qint64 to = recording.indexAt(std::min(span.to, recording.time(recording.last())));
     std::vector<double> values;
     for (qint64 i = 0; i < playedSteps; ++i) {
         if (const auto point = pointAt(from + (to - from) * i / (playedSteps - 1)))
@@ -174,6 +170,13 @@ void PhaseChart::play()
     }
     if (to > from && !values.empty())
         emit curvePlayed(values);
+}
+
+TimeWindow::Span PhaseChart::spanShown() const
+{
+    const Recording &recording = m_simulation.recording();
+    const double end = recording.time(recording.last());
+    return m_window->choose({recording.time(recording.first()), end}, end, m_simulation.time());
 }
 
 TimeWindow::Span PhaseChart::timesShown() const
