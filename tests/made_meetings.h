@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/measured_pair.h"
+#include "tasks/judging/meeting_division.h"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -59,6 +60,26 @@ inline std::vector<PairHit> manyMeetings()
             all.push_back(hit);
     }
     return all;
+}
+
+/// Which of them come out right.
+using MeetingRule = std::function<bool(const PairHit &)>;
+
+inline std::optional<MeetingDivision> divisionBy(const std::vector<PairHit> &hits,
+                                                 const MeetingRule &rule)
+{
+    std::vector<JudgedMeeting> all;
+    for (const PairHit &hit : hits)
+        all.push_back({&hit, rule(hit)});
+    return cradle::divisionBy(all);
+}
+
+/// How fast circle 1, seen from circle 2, moves away from the origin: from its place (−1) or from
+/// that of circle 2 (1).
+inline double outwardFrom(const PairHit &hit, double side)
+{
+    return dot(velocityOf(hit, 1) - velocityOf(hit, 2),
+               hit.meeting.middle + side * 0.5 * hit.meeting.sum() * lineOf(hit));
 }
 
 } // namespace cradle::made

@@ -184,6 +184,8 @@ void TestMassWords::oneCircleAloneTells_data()
         row("discs, and equal ones wrong", 2.0, 1.0, 5.1e-3, {});
         row("right", 3.0, 1.0, 0.0, {});
         row("a root", 0.5, 1.0, 0.0, {utf8("The mass grows with r to the power of 0.5, not 3")});
+        row("exchanged", -3.0, -1.0, 0.0,
+            {utf8("Circle %1 answers as if it had the mass of the other").arg(circle)});
         row("no radius", 0.0, 1.0, 0.0, {});
         row("no power", 2.3, 1.0, 0.0, {});
         row("no power of the density", 3.0, 0.7, 0.0, {});

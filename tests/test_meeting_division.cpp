@@ -6,12 +6,8 @@
 
 #include <QTest>
 
-#include <functional>
-
 using namespace cradle;
 using namespace cradle::made;
-
-using MeetingRule = std::function<bool(const PairHit &)>;
 
 /// What divides meetings that come out right from others is told, of meetings of all kinds of which
 /// one thing alone decides.
@@ -23,6 +19,8 @@ private slots:
     void whatDecidesIsTold();
     void limitsAreTold_data();
     void limitsAreTold();
+    void limitIsOfTheCircleThatWasThere();
+    void slowOnesMayBeAtRest();
     void twoThingsAreNone();
     void roundingIsNoSide();
     void oneAloneIsNoRule();
@@ -32,20 +30,6 @@ private slots:
 namespace {
 
 using DivisionKind = MeetingDivision::Kind;
-
-std::optional<MeetingDivision> divisionBy(const std::vector<PairHit> &hits, const MeetingRule &rule)
-{
-    std::vector<JudgedMeeting> all;
-    for (const PairHit &hit : hits)
-        all.push_back({&hit, rule(hit)});
-    return cradle::divisionBy(all);
-}
-
-double outwardFrom(const PairHit &hit, double side)
-{
-    return dot(velocityOf(hit, 1) - velocityOf(hit, 2),
-               hit.meeting.middle + side * 0.5 * hit.meeting.sum() * lineOf(hit));
-}
 
 } // namespace
 
@@ -181,6 +165,10 @@ void TestMeetingDivision::limitsAreTold_data()
         [](Hit h) { return length(velocityOf(h, 1)) < 1.2; });
     row("all with circle 2 at 1.", DivisionKind::Speed,
         [](Hit h) { return length(velocityOf(h, 2)) > 1.2; });
+    row("all with circle 1 at 1.", DivisionKind::Speed,
+        [](Hit h) { return length(velocityOf(h, 1)) > 1.2; });
+    row("all with circle 2 at up to 1.", DivisionKind::Speed,
+        [](Hit h) { return length(velocityOf(h, 2)) < 1.2; });
     row("all up to 1.", DivisionKind::Place, [](Hit h) { return length(h.meeting.middle) < 2.0; });
     row("all from 2", DivisionKind::Place, [](Hit h) { return length(h.meeting.middle) > 2.0; });
     row("all with up to 1.", DivisionKind::Speed, [](Hit h) { return h.meeting.closing() < 2.0; });
@@ -195,6 +183,33 @@ void TestMeetingDivision::limitsAreTold()
     QVERIFY(found);
     QVERIFY2(found->phrase.startsWith(begin), qPrintable(found->phrase));
     QTEST(static_cast<int>(found->kind), "kind");
+}
+
+void TestMeetingDivision::limitIsOfTheCircleThatWasThere()
+{
+    for (const int circle : {1, 2}) {
+        const auto found = divisionBy(manyMeetings(), [circle](const PairHit &hit) {
+            const double side = circle == 1 ? -0.5 : 0.5;
+            return (hit.meeting.middle + side * hit.meeting.sum() * lineOf(hit)).x > 1.0;
+        });
+        QVERIFY(found);
+        QVERIFY2(found->phrase.endsWith(QStringLiteral(", where circle %1 was").arg(circle)),
+                 qPrintable(found->phrase));
+    }
+    const auto ofBoth =
+        divisionBy(manyMeetings(), [](const PairHit &hit) { return hit.meeting.middle.x > 1.0; });
+    QVERIFY(ofBoth && !ofBoth->phrase.contains(QLatin1String("where circle")));
+}
+
+/// Where most of those below a limit are at rest, it is no limit.
+void TestMeetingDivision::slowOnesMayBeAtRest()
+{
+    const auto isSlow = [](const PairHit &hit) { return length(velocityOf(hit, 1)) < 0.3; };
+    std::vector<PairHit> hits = manyMeetings();
+    QVERIFY(!divisionBy(hits, isSlow));
+    std::erase_if(hits, [](const PairHit &hit) { return velocityOf(hit, 1) == Vec2{}; });
+    const auto found = divisionBy(hits, isSlow);
+    QVERIFY(found && found->phrase.startsWith(QLatin1String("all with circle 1 at up to 0.")));
 }
 
 /// Of two things that divide them alike none is known to count.
