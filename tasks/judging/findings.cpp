@@ -25,15 +25,16 @@ namespace {
 class Judge
 {
 public:
-    Judge(const Task &task, const Submission &submission, const std::vector<CheckOutcome> &checks,
+    Judge(const Task &task, SubmissionRuns &runs, const std::vector<CheckOutcome> &checks,
           bool provesLines)
         : m_task(task)
-        , m_submission(submission)
+        , m_runs(runs)
+        , m_submission(runs.submission())
         , m_checks(checks)
         , m_provesLines(provesLines)
-        , m_ground(task, submission.preset)
+        , m_ground(task, m_submission.preset)
         , m_known(lawsOf(task))
-        , m_own(submission.program(), m_ground)
+        , m_own(m_submission.program(), m_ground)
     {
     }
 
@@ -90,7 +91,7 @@ private:
         if (std::any_of(m_findings.begin(), m_findings.end(),
                         [](const Finding &f) { return f.aspect < Aspect::Contact; }))
             return;
-        if (const auto missed = missedMeeting(m_task, m_submission, m_checks))
+        if (const auto missed = missedMeeting(m_task, m_runs, m_checks))
             addToStart(*missed);
     }
 
@@ -100,7 +101,7 @@ private:
         if (m_ground.walls.restitutions.size() < 2 || m_own.walls().judged.empty()
             || !m_findings.empty())
             return;
-        if (const auto other = ownWallShare(m_task, m_submission, m_checks))
+        if (const auto other = ownWallShare(m_task, m_runs, m_checks))
             take(Aspect::Walls, {*other});
     }
 
@@ -284,6 +285,7 @@ private:
     }
 
     const Task &m_task;
+    SubmissionRuns &m_runs;
     const Submission &m_submission;
     const std::vector<CheckOutcome> &m_checks;
     bool m_provesLines;
@@ -301,12 +303,12 @@ private:
 
 } // namespace
 
-std::vector<Finding> findingsOf(const Task &task, const Submission &submission,
+std::vector<Finding> findingsOf(const Task &task, SubmissionRuns &runs,
                                 const std::vector<CheckOutcome> &checks, bool provesLines)
 {
     if (task.solution.isEmpty() && !task.forStudents)
         return {};
-    return Judge(task, submission, checks, provesLines).find();
+    return Judge(task, runs, checks, provesLines).find();
 }
 
 } // namespace cradle

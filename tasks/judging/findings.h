@@ -4,7 +4,7 @@
 
 #include "tasks/lab/check_report.h"
 #include "tasks/lab/lab.h"
-#include "tasks/runs/submission.h"
+#include "tasks/runs/submission_runs.h"
 
 namespace cradle {
 
@@ -13,9 +13,10 @@ namespace cradle {
 /// by the laws measured before it, and compared with those of the step's reference where a failed
 /// check asks for them. A mistake of this step or an earlier one that follows the same law gives
 /// the words, else they are made from what was measured.
+/// \param runs         of the submission, of which those for the checks were made already
 /// \param provesLines  whether lines at fault are proven; see JudgeHooks
 /// \return nothing where the step has no reference program, or nothing was found
-[[nodiscard]] std::vector<Finding> findingsOf(const Task &task, const Submission &submission,
+[[nodiscard]] std::vector<Finding> findingsOf(const Task &task, SubmissionRuns &runs,
                                               const std::vector<CheckOutcome> &checks,
                                               bool provesLines);
 

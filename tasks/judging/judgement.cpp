@@ -221,9 +221,9 @@ private:
             !report.error
             || (report.error->kind == ProgramError::Kind::Runtime && report.error->step > 1);
         if (!report.passed && ran && !m_wrongMover)
-            report.findings = findingsOf(m_task, m_submission, report.checks, m_hooks.provesLines);
+            report.findings = findingsOf(m_task, m_runs, report.checks, m_hooks.provesLines);
         if (report.passed)
-            report.remarks = remarksOn(m_task, m_submission, m_seed);
+            report.remarks = remarksOn(m_task, m_runs, m_seed);
     }
 
     const Task &m_task;

@@ -85,7 +85,7 @@ Moment otherStart(const Task &task, const Preset &own)
 
 } // namespace
 
-std::optional<LawDeviation> missedMeeting(const Task &task, const Submission &submission,
+std::optional<LawDeviation> missedMeeting(const Task &task, SubmissionRuns &runs,
                                           const std::vector<CheckOutcome> &checks)
 {
     for (const CheckSpec &check : task.checks) {
@@ -94,11 +94,11 @@ std::optional<LawDeviation> missedMeeting(const Task &task, const Submission &su
                 return outcome.id == check.id && !outcome.passed;
             });
         const CheckPlan plan = hasFailed && waitsForHit(check)
-                                   ? planOf(check, submission.preset, task.locked, 1)
+                                   ? planOf(check, runs.submission().preset, task.locked, 1)
                                    : CheckPlan{};
         if (plan.variants.empty())
             continue;
-        const Observation run = observe(plan.variants.front(), submission.program());
+        const Observation &run = runs.of(plan.variants.front());
         const auto nearest =
             run.error ? std::nullopt : nearestOf(run, motion::gravityOf(check, run));
         if (!nearest)

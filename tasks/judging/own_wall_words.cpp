@@ -66,7 +66,7 @@ std::optional<Rebound> otherRebound(const Observation &o)
 
 } // namespace
 
-std::optional<LawDeviation> ownWallShare(const Task &task, const Submission &submission,
+std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,
                                          const std::vector<CheckOutcome> &checks)
 {
     for (const CheckSpec &check : task.checks) {
@@ -77,10 +77,10 @@ std::optional<LawDeviation> ownWallShare(const Task &task, const Submission &sub
         if (failed == checks.end() || check.kind != QLatin1String("bounces")
             || !showsOwnScene(check))
             continue;
-        const CheckPlan plan = planOf(check, submission.preset, task.locked, 1);
+        const CheckPlan plan = planOf(check, runs.submission().preset, task.locked, 1);
         if (plan.variants.empty())
             continue;
-        const Observation run = observe(plan.variants.front(), submission.program());
+        const Observation &run = runs.of(plan.variants.front());
         const auto rebound = otherRebound(run);
         if (!rebound)
             continue;
@@ -96,7 +96,7 @@ std::optional<LawDeviation> ownWallShare(const Task &task, const Submission &sub
                       .arg(QString::number(rebound->circle + 1), motion::wallName(rebound->wall),
                            brief(rebound->came), brief(rebound->left), brief(rebound->share()),
                            brief(run.variant.preset.restitution)),
-            {{submission.preset, false}, rebound->step, {rebound->circle}, false},
+            {{runs.submission().preset, false}, rebound->step, {rebound->circle}, false},
             Suspect::Copy};
     }
     return std::nullopt;

@@ -4,17 +4,17 @@
 
 #include "tasks/judging/deviation.h"
 #include "tasks/lab/lab.h"
-#include "tasks/runs/submission.h"
+#include "tasks/runs/submission_runs.h"
 
 #include <optional>
 
 namespace cradle {
 
 /// That the walls of its own scene give another share of the speed back than e, where a failed
-/// check of walls shows that scene: what is right in other scenes keeps an old value. \param checks
-/// what became of the checks
-[[nodiscard]] std::optional<LawDeviation> ownWallShare(const Task &task,
-                                                       const Submission &submission,
+/// check of walls shows that scene: what is right in other scenes keeps an old value.
+/// \param runs    of the work; those that were made for the checks are looked at again
+/// \param checks  what became of the checks
+[[nodiscard]] std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,
                                                        const std::vector<CheckOutcome> &checks);
 
 } // namespace cradle

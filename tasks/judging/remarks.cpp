@@ -44,8 +44,9 @@ bool applies(const RemarkSpec &remark, const Task &task, const Variant &scene,
 
 } // namespace
 
-std::vector<Remark> remarksOn(const Task &task, const Submission &submission, qint64 seed)
+std::vector<Remark> remarksOn(const Task &task, SubmissionRuns &runs, qint64 seed)
 {
+    const Submission &submission = runs.submission();
     std::vector<Remark> remarks;
     if (!submission.script || task.solution.isEmpty())
         return remarks;
@@ -53,9 +54,10 @@ std::vector<Remark> remarksOn(const Task &task, const Submission &submission, qi
         CheckSpec where;
         where.circles = remark.circles;
         where.scene = remark.scene;
-        const std::vector<Variant> scenes = makeVariants(submission.preset, where, seed);
-        const bool seen = std::any_of(scenes.begin(), scenes.end(), [&](const Variant &scene) {
-            const Observation run = observe(scene, submission.program());
+        std::vector<Variant> scenes = makeVariants(submission.preset, where, seed);
+        const bool seen = std::any_of(scenes.begin(), scenes.end(), [&](Variant &scene) {
+            scene.locked = task.locked; // as in the checks
+            const Observation &run = runs.of(scene);
             return !run.error && applies(remark, task, scene, run);
         });
         if (seen)

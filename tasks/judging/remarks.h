@@ -4,13 +4,13 @@
 
 #include "tasks/lab/check_report.h"
 #include "tasks/lab/lab.h"
-#include "tasks/runs/submission.h"
+#include "tasks/runs/submission_runs.h"
 
 namespace cradle {
 
 /// The remarks that fit work that passes: put into the student's own states, the remark's program
 /// does what the student's does where the reference solution does something else.
-[[nodiscard]] std::vector<Remark> remarksOn(const Task &task, const Submission &submission,
-                                            qint64 seed);
+/// \param runs  of the work; those that were made for the checks are looked at again
+[[nodiscard]] std::vector<Remark> remarksOn(const Task &task, SubmissionRuns &runs, qint64 seed);
 
 } // namespace cradle

@@ -22,7 +22,7 @@ const Observation &SubmissionRuns::of(const Variant &variant, const std::functio
     if (known != m_kept.end() && (*known)->seen.instructions <= mostInstructions)
         return (*known)->seen;
     bool stopped = false;
-    const auto ask = [&] { return stopped = stop(); };
+    const auto ask = [&] { return stopped = stop && stop(); };
     m_latest = std::make_unique<const Run>(
         Run{variant, observe(variant, m_submission.program(), ask, mostInstructions)});
     const qint64 bytes = m_latest->seen.states.bytes();

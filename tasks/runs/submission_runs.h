@@ -24,7 +24,7 @@ public:
 
     /// observe() of \p variant; the reference holds until the next call. A run that \p stop
     /// or \p mostInstructions ended is not kept.
-    const Observation &of(const Variant &variant, const std::function<bool()> &stop,
+    const Observation &of(const Variant &variant, const std::function<bool()> &stop = {},
                           qint64 mostInstructions = std::numeric_limits<qint64>::max());
 
 private:
