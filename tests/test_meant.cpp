@@ -56,6 +56,14 @@ void TestMeant::grammarOfAnotherLanguage_data()
         "for i = first, last do … end");
     row("for of C without parentheses", "for i = 0; i < 3; i++ do\nend", 1,
         "for i = first, last do … end");
+    row("assignment in a condition", "x = 1\nif x = 2 then\nend", 2, "to compare write ==");
+    row("assignment behind a comparison", "x = 1\nif x > 0 and x = 2 then\nend", 2,
+        "to compare write ==");
+    row("condition without then", "x = 1\nif x > 0\n  x = 2\nend", 2, "here `then` is missing");
+    row("minus of a text", "x = 1\ny = −x", 2, "− is not the minus of Lua");
+    row("point between factors", "x = 1\ny = 2 · x", 2, "does not know the sign ·");
+    row("quotes of a text", "x = 1\nprint(“hit”)", 2, "does not know the sign “");
+    row("letter of another alphabet", "x = 1\nδ = 2", 2, "names have the letters a to z");
     row("foreach", "foreach (var c in circles) {\n  x = c\n}", 1,
         "for _, c in ipairs(circles) do … end");
     row("foreach of a field", "foreach (Circle ball in world.balls)\n{\n}", 1,

@@ -9161,6 +9161,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>parentheses, blocks or terms are nested too deeply</source>
         <translation>الأقواس أو الكتل أو الحدود متداخلة أعمق مما ينبغي</translation>
     </message>
+    <message>
+        <source>%1 is not the minus of Lua; write -</source>
+        <translation>ليس ⁨%1⁩ علامة الطرح في Lua؛ اكتب ⁨-⁩</translation>
+    </message>
+    <message>
+        <source>Lua does not know the sign %1</source>
+        <translation>لا تعرف Lua العلامة ⁨%1⁩</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>

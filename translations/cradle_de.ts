@@ -9085,6 +9085,14 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>parentheses, blocks or terms are nested too deeply</source>
         <translation>Klammern, Blöcke oder Terme sind zu tief ineinander geschachtelt</translation>
     </message>
+    <message>
+        <source>%1 is not the minus of Lua; write -</source>
+        <translation>%1 ist nicht das Minus von Lua; schreibe -</translation>
+    </message>
+    <message>
+        <source>Lua does not know the sign %1</source>
+        <translation>Lua kennt das Zeichen %1 nicht</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>

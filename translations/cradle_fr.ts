@@ -9085,6 +9085,14 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>parentheses, blocks or terms are nested too deeply</source>
         <translation>parenthèses, blocs ou termes sont trop imbriqués</translation>
     </message>
+    <message>
+        <source>%1 is not the minus of Lua; write -</source>
+        <translation>%1 n&apos;est pas le moins de Lua&#xa0;; écrivez -</translation>
+    </message>
+    <message>
+        <source>Lua does not know the sign %1</source>
+        <translation>Lua ne connaît pas le signe %1</translation>
+    </message>
 </context>
 <context>
     <name>Trails</name>

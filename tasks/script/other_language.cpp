@@ -52,9 +52,11 @@ constexpr Habit habits[] = {
     {"\\bfor\\b.*" BRACE, QT_TRANSLATE_NOOP("Script", "Lua has no braces around blocks; write: for … do … end")},
     {"\\bfunction\\b.*" BRACE, QT_TRANSLATE_NOOP("Script", "Lua has no braces around blocks; write: function name(…) … end")},
     {"^\\s*[{}]\\s*$", QT_TRANSLATE_NOOP("Script", "Lua has no braces around blocks; a block ends with `end`")},
-    {"\\b(?:if|while|elseif)\\b[^=<>~]*[^=<>~]=[^=]", QT_TRANSLATE_NOOP("Script", "= assigns; to compare write ==")},
+    {"\\b(?:if|while|elseif)\\b(?:[^=<>~]*[^=<>~]|.*\\b(?:and|or)\\s+(?:not\\s+)?[\\w.]+\\s*)=[^=]", QT_TRANSLATE_NOOP("Script", "= assigns; to compare write ==")},
     {"^\\s*[\\w.]+\\s*==\\s*", QT_TRANSLATE_NOOP("Script", "== compares; to assign write =")},
-    {"[^\\x00-\\x7F]", QT_TRANSLATE_NOOP("Script", "names have the letters a to z, digits and _ only")},
+    {"([\\x{2010}-\\x{2015}\\x{2212}])", QT_TRANSLATE_NOOP("Script", "%1 is not the minus of Lua; write -")},
+    {"(?=[^\\x00-\\x7F])\\p{L}", QT_TRANSLATE_NOOP("Script", "names have the letters a to z, digits and _ only")},
+    {"([^\\x00-\\x7F])", QT_TRANSLATE_NOOP("Script", "Lua does not know the sign %1")},
 };
 // clang-format on
 
