@@ -117,7 +117,8 @@ void TestContactLaw::faultIsNamed_data()
          "Contact is tested at 2 r₁, not at r₁ + r₂");
     rows("larger", {.reach = text("math.max(p.radius, q.radius)")},
          "Contact is tested at the larger radius, not at r₁ + r₂");
-    rows("a number", {.reach = text("0.4")}, "A number stands for r₁ + r₂ in the test of contact");
+    rows("a number", {.reach = text("0.4")},
+         "The test of contact acts as if a number stood for r₁ + r₂");
     rows("difference", {.reach = text("math.abs(p.radius - q.radius)")},
          "Contact is tested at the difference of the radii, not at r₁ + r₂");
     rows("margin", {.reach = text("p.radius + q.radius + 0.05")},

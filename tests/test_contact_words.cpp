@@ -129,7 +129,7 @@ void TestContactWords::faultIsTold_data()
     row("The circles answer too late", at(0.65), "they answered when their centres were between");
     row("The circles answer before they touch", at(1.3));
     row(
-        "A number stands for r₁ + r₂ in the test of contact",
+        "The test of contact acts as if a number stood for r₁ + r₂",
         [](BothPairs &p) {
             for (PairHit &hit : p.own.contacts)
                 hit =

@@ -98,6 +98,14 @@ void TestFindings::faultsOfTwoAspectsAreBothNamed_data()
             f.reach = lab("2 * p.radius");
             f.mass = lab("c.density * c.radius ^ 4");
         });
+    // In its own scene nothing changes the velocity of circle 1; a hit that is thrown does.
+    row("L42T12", "walls of circle 1 and meetings",
+        {text("At every wall circle 1 went out"),
+         text("Some hits of the two circles are not answered")},
+        [](OtherForm &f) {
+            f.walls = lab("if c.index == 2 then ") + f.walls + lab(" end");
+            f.answer.replace(lab("closing > 0"), lab("closing > 0 and q.velocity:dot(n) > 0"));
+        });
     row("L42T16", "masses and e",
         {text("The mass grows with r to the power of 2, not 3"),
          text("e is squared in the hit of two circles")},

@@ -138,6 +138,16 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "local j = 2 * closing / (1 / m1 + 1 / m2) "
         "p.velocity, q.velocity = p.velocity - j / m1 * n, q.velocity + j / m2 * n",
         "The larger of two circles answers as the lighter one");
+    row("each gets the momentum of the other", "L42T14",
+        "m1, m2 = p.density * p.radius ^ 3, q.density * q.radius ^ 3 "
+        "local u, w = p.velocity:dot(n), q.velocity:dot(n) "
+        "p.velocity = p.velocity + (m2 * w / m1 - u) * n "
+        "q.velocity = q.velocity + (m1 * u / m2 - w) * n",
+        "Equal circles answer rightly, no unequal ones tried do");
+    row("places alone, too early in the lab", "L42T8",
+        "local deep = reach - d:length() "
+        "p.position, q.position = p.position - deep / 2 * n, q.position + deep / 2 * n",
+        "The circles act on each other");
     row("stops upward", "L42T9",
         "if p.velocity.y > 0 then p.velocity, q.velocity = vec(0, 0), vec(0, 0) else "
         "p.velocity, q.velocity = 0.5 * p.velocity, 0.5 * q.velocity end",

@@ -96,7 +96,7 @@ void TestReboundWords::lawOfEIsTold_data()
     row("", {same, same});
     row("Along the normal only circle 1 feels e", {same, one}, "With e = 0.5: ");
     row("Along the normal only circle 2 feels e", {one, same}, "With e = 0.5: ");
-    row("e changes nothing in the hits that were tried", {one, one}, "With e = 0.5: ");
+    row("e changes nothing in the hits tried", {one, one}, "With e = 0.5: ");
     row("e is squared in the hit of two circles", both([](double e) { return e * e; }));
     row("e is squared in the hit of two circles, for circle 1 alone",
         {[](double e) { return e * e; }, same});
@@ -200,7 +200,7 @@ void TestReboundWords::partsAcrossAreTold_data()
     QTest::newRow("and along the line, too")
         << OfE{one, one, same, same}
         << QStringList{utf8("e also shortens the parts across the line of centres"),
-                       utf8("e changes nothing in the hits that were tried")};
+                       utf8("e changes nothing in the hits tried")};
     QTest::newRow("with every e") << OfE{[](double) { return 1.5; }, [](double) { return 1.5; },
                                          same, same}
                                   << QStringList();
@@ -284,7 +284,7 @@ void TestReboundWords::clearLineIsTold()
         std::vector<Rebound> all;
         for (const PairHit &hit : own.rebounds)
             all.push_back(reboundOf(hit));
-        return lineOfPush(own, pairOf({same, same}), all, {reboundOf(own.equals.front())});
+        return lineOfPush(own, all, {reboundOf(own.equals.front())});
     };
     const auto push = line(0.5, 1.25);
     QVERIFY(push);

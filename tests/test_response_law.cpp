@@ -93,7 +93,7 @@ void TestResponseLaw::faultIsNamed_data()
            "q.velocity = q.velocity + j / m2 * n",
            "Each circle answers as if it had the other's density");
     rows("e squared", {.e = text("restitution ^ 2")}, {squared});
-    rows("no e", {}, {text("e changes nothing in the hits that were tried")});
+    rows("no e", {}, {text("e changes nothing in the hits tried")});
     rows("minus e", {.e = text("-restitution")},
          {text("The sign of e is wrong in the hit of two circles")});
     rows("area and e squared",
@@ -209,7 +209,7 @@ void TestResponseLaw::aNumberIsToldFromRadii_data()
 {
     QTest::addColumn<QString>("reach");
     QTest::addColumn<QString>("said");
-    const QString number = text("A number stands for r₁ + r₂ in the test of contact");
+    const QString number = text("The test of contact acts as if a number stood for r₁ + r₂");
     for (const char *reach : {"0.2", "0.375", "0.4", "0.5", "0.6", "0.8"})
         QTest::addRow("%s", reach) << text(reach) << number;
     QTest::addRow("larger") << text("math.max(p.radius, q.radius)")

@@ -33,6 +33,8 @@ private slots:
     void oldRadiusOfTheOwnSceneIsTold();
     void placeIsNoPause();
     void fastMeetingIsTold();
+    void meetingThatIsNotFastEnoughIsTold();
+    void smallPushIsOne();
 
 private:
     /// What is said in \p step of a program with that hit, below \p headline.
@@ -337,6 +339,28 @@ void TestToldMeetings::fastMeetingIsTold()
         said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
     QVERIFY2(n.size() == 2, qPrintable(said));
     QVERIFY(n[0] > 3.0 && n[1] < 1.5);
+}
+
+/// Only those that are faster than any in the checks are answered.
+void TestToldMeetings::meetingThatIsNotFastEnoughIsTold()
+{
+    const QString said = body("L42T12", {.approach = text("closing > 1.8"), .mass = equal},
+                              text("Circles that come nearer slowly are not answered"));
+    const auto n = numbersIn(
+        said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
+    QVERIFY2(n.size() == 2, qPrintable(said));
+    QVERIFY(n[0] < 1.8 && n[1] > 1.8);
+}
+
+/// Divided by the sum of the masses, in kg, in place of the sum of what they divide.
+void TestToldMeetings::smallPushIsOne()
+{
+    const HitLaw law{.mass = text("4189 * c.density * c.radius ^ 3"),
+                     .answer = text("local j = 2 * closing / (m1 + m2) "
+                                    "p.velocity = p.velocity - j / m1 * n "
+                                    "q.velocity = q.velocity + j / m2 * n")};
+    QVERIFY(body("L42T14", law, text("Some hits of the two circles are not answered")).isEmpty());
+    QVERIFY(!body("L42T14", law, text("The push has a wrong size that depends on")).isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestToldMeetings)

@@ -2055,16 +2055,16 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>تمر الدائرتان إحداهما عبر الأخرى</translation>
     </message>
     <message>
-        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
-        <translation>من كل الاتجاهات الـ ⁨%1⁩ التي رُميت بها إحداهما نحو الأخرى لم تغيّر أيٌّ منهما سرعتها.</translation>
-    </message>
-    <message>
         <source>The circles act on each other</source>
         <translation>تؤثر الدائرتان إحداهما في الأخرى</translation>
     </message>
     <message>
         <source>In this step they should still pass through each other.</source>
         <translation>في هذه المرحلة يجب أن تمر إحداهما عبر الأخرى.</translation>
+    </message>
+    <message>
+        <source>Where they overlapped, your program put circle %1 elsewhere than its velocity takes it. In this step they should still pass through each other.</source>
+        <translation>حيث تراكبتا وضع برنامجك الدائرة ⁨%1⁩ في غير المكان الذي تحملها إليه سرعتها. في هذه المرحلة ينبغي أن تعبر كل منهما الأخرى بعد.</translation>
     </message>
     <message>
         <source>The circles answer when they part, not when they meet</source>
@@ -2075,8 +2075,8 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩، واللقاء عند ⁦%3°⁩، استجابتا حين كانت المسافة بين مركزيهما بين ⁨%4⁩ و⁦%5 m⁩.</translation>
     </message>
     <message>
-        <source>A number stands for r₁ + r₂ in the test of contact</source>
-        <translation>يقوم عدد مقام ⁦r₁&#xa0;+&#xa0;r₂⁩ في اختبار التلامس</translation>
+        <source>The test of contact acts as if a number stood for r₁ + r₂</source>
+        <translation>يعمل اختبار التلامس كأن عددًا يقوم مقام ⁦r₁&#xa0;+&#xa0;r₂⁩</translation>
     </message>
     <message>
         <source>The circles answer before they touch</source>
@@ -2447,7 +2447,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>لا شيء يدفع هناك: فهما تبقيان كما كانتا.</translation>
     </message>
     <message>
-        <source>e changes nothing in the hits that were tried</source>
+        <source>e changes nothing in the hits tried</source>
         <translation>لا يغيّر المعامل e شيئًا في التصادمات المجرَّبة</translation>
     </message>
     <message>
@@ -2469,6 +2469,10 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>The push is multiplied by e instead of 1 + e</source>
         <translation>الدفع مضروب في e بدلًا من ⁦1 + e⁩</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by e (1 + e) instead of 1 + e</source>
+        <translation>الدفع مضروب في ⁦e (1 + e)⁩ بدلًا من ⁦1 + e⁩</translation>
     </message>
     <message>
         <source>The rebound is divided by e</source>
@@ -2731,20 +2735,20 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>مقدار الدفع خاطئ</translation>
     </message>
     <message>
+        <source>In meetings with a timestep of %1 s it was between %2 and %3 times as large as it should be.</source>
+        <translation>في لقاءات بخطوة زمنية قدرها ⁦%1 s⁩ كان بين ⁨%2⁩ و⁨%3⁩ ضعفًا مما ينبغي أن يكون.</translation>
+    </message>
+    <message>
         <source>The masses in your own scene are not those of its circles</source>
         <translation>الكتلتان في مشهدك ليستا كتلتي دائرتيه</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>فيه تستجيب الدائرتان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ ومع نصفي القطرين ⁨%2⁩ و⁦%3 m⁩ والكثافتين ⁨%4⁩ و⁨%5⁩ فالعامل ⁨%6⁩. المشاهد الأخرى تخرج صحيحة. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>فيه تستجيب الدائرتان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ ومع نصفي القطرين ⁨%2⁩ و⁦%3 m⁩ والكثافتين ⁨%4⁩ و⁨%5⁩ فالعامل ⁨%6⁩. في المشاهد الأخرى تصحّ الكتلتان. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
         <translation>في مشهدك لا يستعمل التصادم e الذي له</translation>
-    </message>
-    <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. المشاهد الأخرى تخرج صحيحة. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
     </message>
     <message>
         <source>With e = %1 a hit does not come out right</source>
@@ -2997,6 +3001,14 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>At %1 s of its run they met at %2 m, with %3 m/s.</source>
         <translation>عند ⁦%1 s⁩ من تشغيلهما التقتا عند ⁦%2 m⁩ بسرعة ⁦%3 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s, and were answered before they touched.</source>
+        <translation>عند ⁦%1 s⁩ من تشغيلهما التقتا عند ⁦%2 m⁩ بسرعة ⁦%3 m/s⁩ واستجابتا قبل أن تتلامسا.</translation>
+    </message>
+    <message>
+        <source>It was meeting number %1 of that run, %2 s after the one before.</source>
+        <translation>كان اللقاء رقم ⁨%1⁩ في ذلك التشغيل، بعد سابقه بمدة ⁦%2 s⁩.</translation>
     </message>
     <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and left it with %6 m/s; %7 m/s is right.</source>
@@ -4025,6 +4037,10 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>الدائرتان المتساويتان تستجيبان استجابة صحيحة، لا كل دائرتين مختلفتين</translation>
     </message>
     <message>
+        <source>Equal circles answer rightly, no unequal ones tried do</source>
+        <translation>الدائرتان المتساويتان تستجيبان استجابة صحيحة، ولا تستجيب كذلك أي دائرتين مختلفتين جُرّبتا</translation>
+    </message>
+    <message>
         <source>all while another circle moved to the right, no others</source>
         <translation>كل ما كانت دائرة أخرى تتحرك أثناءه إلى اليمين، ولا غيره</translation>
     </message>
@@ -4206,6 +4222,28 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
             <numerusform>من التصادمات المجرّبة، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried with e = %2, %n came out right: %3.</source>
+        <translation>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، لم يصحّ أي تصادم: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ تصادم واحد: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ تصادمان: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n: %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried with e = %2, %n came out right.</source>
+        <translation>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، لم يصحّ أي تصادم.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ تصادم واحد.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ تصادمان.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
+            <numerusform>من التصادمات المجرّبة مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>In your own scene the first hit comes out right.</source>
         <translation>في مشهدك تصحّ نتيجة التصادم الأول.</translation>
@@ -4273,6 +4311,10 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>%1 (in some hits)</source>
         <translation>%1 (في بعض التصادمات)</translation>
+    </message>
+    <message>
+        <source>%1 (equal circles)</source>
+        <translation>%1 (دائرتان متساويتان)</translation>
     </message>
     <message>
         <source>The distance is taken between places of two moments
@@ -4659,8 +4701,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تستجيبان والمسافة ⁦%2 m⁩: ومربعها نحو ⁦r₁ + r₂⁩. المربع بوحدة ⁦m²⁩ والطول بوحدة ⁦m⁩.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
-        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كانت المسافة بين المركزين بين ⁨%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان عند ⁦%5 m⁩. المشاهد الأخرى صحيحة.</translation>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Thrown with up to %6 m/s along the line of centres they answer in time.</source>
+        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كانت المسافة بين المركزين بين ⁨%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان عند ⁦%5 m⁩. وإذا قُذفتا بسرعة لا تزيد على ⁦%6 m/s⁩ على خط المركزين استجابتا في الوقت الصحيح.</translation>
     </message>
     <message>
         <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>

@@ -2027,16 +2027,16 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Die Kreise gehen durcheinander hindurch</translation>
     </message>
     <message>
-        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
-        <translation>Aus allen %1 Richtungen, in denen sie aufeinander geworfen wurden, änderte keiner von ihnen seine Geschwindigkeit.</translation>
-    </message>
-    <message>
         <source>The circles act on each other</source>
         <translation>Die Kreise wirken aufeinander</translation>
     </message>
     <message>
         <source>In this step they should still pass through each other.</source>
         <translation>In diesem Schritt sollen sie noch durcheinander hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>Where they overlapped, your program put circle %1 elsewhere than its velocity takes it. In this step they should still pass through each other.</source>
+        <translation>Wo sie sich überlappten, setzte dein Programm Kreis %1 anderswohin, als seine Geschwindigkeit ihn bringt. In diesem Schritt sollen sie noch durcheinander hindurchgehen.</translation>
     </message>
     <message>
         <source>The circles answer when they part, not when they meet</source>
@@ -2047,8 +2047,8 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie bei einem Treffen unter %3°, als ihre Mittelpunkte zwischen %4 und %5 m auseinander waren.</translation>
     </message>
     <message>
-        <source>A number stands for r₁ + r₂ in the test of contact</source>
-        <translation>Im Test auf Berührung steht eine Zahl für r₁ + r₂</translation>
+        <source>The test of contact acts as if a number stood for r₁ + r₂</source>
+        <translation>Der Test auf Berührung wirkt, als stünde eine Zahl für r₁ + r₂</translation>
     </message>
     <message>
         <source>The circles answer before they touch</source>
@@ -2327,7 +2327,7 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Dort drückt nichts: Sie bleiben, wie sie waren.</translation>
     </message>
     <message>
-        <source>e changes nothing in the hits that were tried</source>
+        <source>e changes nothing in the hits tried</source>
         <translation>In den erprobten Stößen ändert e nichts</translation>
     </message>
     <message>
@@ -2349,6 +2349,10 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>The push is multiplied by e instead of 1 + e</source>
         <translation>Der Kraftstoß wird mit e statt mit 1 + e multipliziert</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by e (1 + e) instead of 1 + e</source>
+        <translation>Der Kraftstoß wird mit e (1 + e) statt mit 1 + e multipliziert</translation>
     </message>
     <message>
         <source>The rebound is divided by e</source>
@@ -2611,6 +2615,10 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Der Kraftstoß hat die falsche Größe</translation>
     </message>
     <message>
+        <source>In meetings with a timestep of %1 s it was between %2 and %3 times as large as it should be.</source>
+        <translation>In Begegnungen mit einem Zeitschritt von %1 s war er zwischen dem %2- und dem %3-Fachen dessen, was er sein soll.</translation>
+    </message>
+    <message>
         <source>The masses in your own scene are not those of its circles</source>
         <translation>Die Massen in deiner eigenen Szene sind nicht die ihrer Kreise</translation>
     </message>
@@ -2715,12 +2723,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Niemand hält den anderen Kreis fest wie eine Wand: Sieh nach, was jeder Kreis vom anderen bekommt.</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. Andere Szenen gehen richtig aus. Eine Masse, die berechnet wird, bevor Radius und Dichte gesetzt sind, behält den alten Wert: Sieh dir die Reihenfolge in `on_load` an.</translation>
-    </message>
-    <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. Andere Szenen gehen richtig aus. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. In anderen Szenen stimmen die Massen. Eine Masse, die berechnet wird, bevor Radius und Dichte gesetzt sind, behält den alten Wert: Sieh dir die Reihenfolge in `on_load` an.</translation>
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
@@ -2973,6 +2977,14 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
     <message>
         <source>At %1 s of its run they met at %2 m, with %3 m/s.</source>
         <translation>Nach %1 s ihres Laufs trafen sie sich bei %2 m mit %3 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s, and were answered before they touched.</source>
+        <translation>Nach %1 s ihres Laufs trafen sie sich bei %2 m mit %3 m/s und antworteten, bevor sie sich berührten.</translation>
+    </message>
+    <message>
+        <source>It was meeting number %1 of that run, %2 s after the one before.</source>
+        <translation>Es war Begegnung Nummer %1 dieses Laufs, %2 s nach der davor.</translation>
     </message>
     <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and left it with %6 m/s; %7 m/s is right.</source>
@@ -3981,6 +3993,10 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Gleiche Kreise antworten richtig, nicht alle ungleichen</translation>
     </message>
     <message>
+        <source>Equal circles answer rightly, no unequal ones tried do</source>
+        <translation>Gleiche Kreise antworten richtig, keine der versuchten ungleichen</translation>
+    </message>
+    <message>
         <source>all while another circle moved to the right, no others</source>
         <translation>alle, während ein anderer Kreis sich nach rechts bewegte, sonst keiner</translation>
     </message>
@@ -4154,6 +4170,20 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
             <numerusform>Von %1 versuchten Stößen gingen %n richtig aus.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried with e = %2, %n came out right: %3.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Stößen mit e = %2 ging %n richtig aus: %3.</numerusform>
+            <numerusform>Von %1 versuchten Stößen mit e = %2 gingen %n richtig aus: %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried with e = %2, %n came out right.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Stößen mit e = %2 ging %n richtig aus.</numerusform>
+            <numerusform>Von %1 versuchten Stößen mit e = %2 gingen %n richtig aus.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>In your own scene the first hit comes out right.</source>
         <translation>In deiner eigenen Szene geht der erste Stoß richtig aus.</translation>
@@ -4221,6 +4251,10 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>%1 (in some hits)</source>
         <translation>%1 (in manchen Stößen)</translation>
+    </message>
+    <message>
+        <source>%1 (equal circles)</source>
+        <translation>%1 (gleiche Kreise)</translation>
     </message>
     <message>
         <source>The distance is taken between places of two moments
@@ -4607,8 +4641,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Sie antworten bei %2 m Abstand: Das zum Quadrat ist etwa r₁ + r₂. Ein Quadrat hat die Einheit m², eine Länge m.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
-        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m Abstand hatten; die Ränder berühren sich bei %5 m. Andere Szenen gelingen.</translation>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Thrown with up to %6 m/s along the line of centres they answer in time.</source>
+        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m Abstand hatten; die Ränder berühren sich bei %5 m. Geworfen mit bis zu %6 m/s längs der Verbindungslinie der Mittelpunkte, antworten sie rechtzeitig.</translation>
     </message>
     <message>
         <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>

@@ -2031,16 +2031,16 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Les cercles se traversent</translation>
     </message>
     <message>
-        <source>From all %1 directions in which they were thrown at each other, neither of them changed its velocity.</source>
-        <translation>Lancés l&apos;un vers l&apos;autre dans %1 directions, aucun des deux n&apos;a jamais changé de vitesse.</translation>
-    </message>
-    <message>
         <source>The circles act on each other</source>
         <translation>Les cercles agissent l&apos;un sur l&apos;autre</translation>
     </message>
     <message>
         <source>In this step they should still pass through each other.</source>
         <translation>À cette étape, ils doivent encore se traverser.</translation>
+    </message>
+    <message>
+        <source>Where they overlapped, your program put circle %1 elsewhere than its velocity takes it. In this step they should still pass through each other.</source>
+        <translation>Là où ils se chevauchaient, votre programme a mis le cercle %1 ailleurs que là où sa vitesse le mène. Dans cette étape, ils doivent encore se traverser.</translation>
     </message>
     <message>
         <source>The circles answer when they part, not when they meet</source>
@@ -2051,8 +2051,8 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Avec r₁ = %1 m et r₂ = %2 m, en se rencontrant sous un angle de %3°, ils ont réagi quand leurs centres étaient entre %4 et %5 m l&apos;un de l&apos;autre.</translation>
     </message>
     <message>
-        <source>A number stands for r₁ + r₂ in the test of contact</source>
-        <translation>Un nombre tient lieu de r₁ + r₂ dans le test de contact</translation>
+        <source>The test of contact acts as if a number stood for r₁ + r₂</source>
+        <translation>Le test de contact agit comme si un nombre tenait lieu de r₁ + r₂</translation>
     </message>
     <message>
         <source>The circles answer before they touch</source>
@@ -2423,7 +2423,7 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Rien ne pousse dans cette direction&#xa0;: elles restent comme elles étaient.</translation>
     </message>
     <message>
-        <source>e changes nothing in the hits that were tried</source>
+        <source>e changes nothing in the hits tried</source>
         <translation>e ne change rien dans les chocs essayés</translation>
     </message>
     <message>
@@ -2445,6 +2445,10 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>The push is multiplied by e instead of 1 + e</source>
         <translation>La poussée est multipliée par e au lieu de 1 + e</translation>
+    </message>
+    <message>
+        <source>The push is multiplied by e (1 + e) instead of 1 + e</source>
+        <translation>La poussée est multipliée par e (1 + e) au lieu de 1 + e</translation>
     </message>
     <message>
         <source>The rebound is divided by e</source>
@@ -2707,20 +2711,20 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La poussée n&apos;a pas la bonne grandeur</translation>
     </message>
     <message>
+        <source>In meetings with a timestep of %1 s it was between %2 and %3 times as large as it should be.</source>
+        <translation>Dans des rencontres avec un pas de temps de %1 s, elle valait entre %2 et %3 fois ce qu&apos;elle devrait.</translation>
+    </message>
+    <message>
         <source>The masses in your own scene are not those of its circles</source>
         <translation>Les masses dans votre propre scène ne sont pas celles de ses cercles</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. Other scenes come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. D&apos;autres scènes donnent le bon résultat. Une masse calculée avant que rayon et masse volumique soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
+        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. Dans d&apos;autres scènes, les masses sont justes. Une masse calculée avant que rayon et masse volumique soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
         <translation>Dans votre propre scène, le choc n&apos;utilise pas le e qu&apos;elle a</translation>
-    </message>
-    <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. D&apos;autres scènes donnent le bon résultat. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
     </message>
     <message>
         <source>With e = %1 a hit does not come out right</source>
@@ -2973,6 +2977,14 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>At %1 s of its run they met at %2 m, with %3 m/s.</source>
         <translation>À %1 s de son exécution, ils se sont rencontrés à %2 m, à %3 m/s.</translation>
+    </message>
+    <message>
+        <source>At %1 s of its run they met at %2 m, with %3 m/s, and were answered before they touched.</source>
+        <translation>À %1 s de son exécution, ils se sont rencontrés à %2 m, à %3 m/s, et ont réagi avant de se toucher.</translation>
+    </message>
+    <message>
+        <source>It was meeting number %1 of that run, %2 s after the one before.</source>
+        <translation>C&apos;était la rencontre numéro %1 de cette exécution, %2 s après la précédente.</translation>
     </message>
     <message>
         <source>At %1 s of its run circle %2 came to the %3 at %4 m with %5 m/s and left it with %6 m/s; %7 m/s is right.</source>
@@ -3981,6 +3993,10 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Des cercles égaux réagissent bien, mais pas tous les cercles inégaux</translation>
     </message>
     <message>
+        <source>Equal circles answer rightly, no unequal ones tried do</source>
+        <translation>Des cercles égaux réagissent bien, aucun des cercles inégaux essayés</translation>
+    </message>
+    <message>
         <source>all while another circle moved to the right, no others</source>
         <translation>tous ceux pendant lesquels un autre cercle allait vers la droite, aucun autre</translation>
     </message>
@@ -4154,6 +4170,20 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
             <numerusform>Sur %1 chocs essayés, %n ont donné le bon résultat.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried with e = %2, %n came out right: %3.</source>
+        <translation>
+            <numerusform>Sur %1 chocs essayés avec e = %2, %n a donné le bon résultat&#xa0;: %3.</numerusform>
+            <numerusform>Sur %1 chocs essayés avec e = %2, %n ont donné le bon résultat&#xa0;: %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits tried with e = %2, %n came out right.</source>
+        <translation>
+            <numerusform>Sur %1 chocs essayés avec e = %2, %n a donné le bon résultat.</numerusform>
+            <numerusform>Sur %1 chocs essayés avec e = %2, %n ont donné le bon résultat.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>In your own scene the first hit comes out right.</source>
         <translation>Dans votre propre scène, le premier choc donne le bon résultat.</translation>
@@ -4221,6 +4251,10 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>%1 (in some hits)</source>
         <translation>%1 (dans certains chocs)</translation>
+    </message>
+    <message>
+        <source>%1 (equal circles)</source>
+        <translation>%1 (cercles égaux)</translation>
     </message>
     <message>
         <source>The distance is taken between places of two moments
@@ -4607,8 +4641,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre&#xa0;: cela au carré vaut environ r₁ + r₂. Un carré est en m², une longueur en m.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Other scenes come out right.</source>
-        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont réagi quand leurs centres étaient entre %3 et %4 m l&apos;un de l&apos;autre&#xa0;; les bords se touchent à %5 m. D&apos;autres scènes sont justes.</translation>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Thrown with up to %6 m/s along the line of centres they answer in time.</source>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont réagi quand leurs centres étaient entre %3 et %4 m l&apos;un de l&apos;autre&#xa0;; les bords se touchent à %5 m. Lancés à %6 m/s au plus suivant la ligne des centres, ils réagissent à temps.</translation>
     </message>
     <message>
         <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>

@@ -87,6 +87,7 @@ enum class Meetings {
     Parting, ///< of circles that have met already
     Later,   ///< after a first hit
     SlowOrFast,
+    FastAlone, ///< where none of those that come as usual is answered
 };
 /// That some of them are not answered, or those that part are.
 [[nodiscard]] std::vector<LawDeviation> meetingDeviations(Meetings which, const MeasuredPair &own,

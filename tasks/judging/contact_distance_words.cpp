@@ -118,7 +118,7 @@ private:
         const bool answersAll =
             std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
         if (isTold() && answersAll && low <= high) {
-            add(ContactText::tr("A number stands for r₁ + r₂ in the test of contact"),
+            add(ContactText::tr("The test of contact acts as if a number stood for r₁ + r₂"),
                 ContactText::tr("With all radii tried they answer at the same distance, "
                                 "between %1 and %2 m.")
                         .arg(brief(low), brief(high))

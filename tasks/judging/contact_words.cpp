@@ -90,10 +90,16 @@ private:
         const bool own = answersAny(m_own.contacts) || isAnyInTime(m_own.varied)
                          || (!answersAny(m_own.equals) && answersAny(m_own.rebounds));
         const bool right = answersAny(m_right.contacts);
+        if (!own && !right && findHeld())
+            return true;
         if (own == right || m_own.contacts.empty())
             return !own;
         PairHit hit = m_own.contacts.front();
         hit.step = right ? m_right.contacts.front().step : hit.step;
+        if (right)
+            take(meetingDeviations(Meetings::FastAlone, m_own, m_right, m_ground));
+        if (!m_found.empty())
+            return true;
         if (right && m_own.own && m_own.own->answered) {
             findOwnAlone();
             return true;
@@ -116,16 +122,29 @@ private:
                                       "later lines change the velocities back."),
                 *held);
         else if (right)
-            add(ContactText::tr("The circles run through each other"),
-                ContactText::tr("From all %1 directions in which they were thrown at each other, "
-                                "neither of them changed its velocity.")
-                    .arg(m_own.contacts.size()),
-                hit);
+            add(ContactText::tr("The circles run through each other"), noneOfThrown(), hit);
         else
             add(isPushedAlone(0)   ? ContactText::tr("Circle 1 answers where it meets circle 2")
                 : isPushedAlone(1) ? ContactText::tr("Circle 2 answers where it meets circle 1")
                                    : ContactText::tr("The circles act on each other"),
                 ContactText::tr("In this step they should still pass through each other."), hit);
+        return true;
+    }
+
+    /// No velocity changes, as it should be, but places do.
+    bool findHeld()
+    {
+        const auto isHeld = [](const PairHit &h) { return h.isHeld(); };
+        const auto at = std::find_if(m_own.contacts.begin(), m_own.contacts.end(), isHeld);
+        if (at == m_own.contacts.end()
+            || std::any_of(m_right.contacts.begin(), m_right.contacts.end(), isHeld))
+            return false;
+        add(ContactText::tr("The circles act on each other"),
+            ContactText::tr("Where they overlapped, your program put circle %1 elsewhere than its "
+                            "velocity takes it. In this step they should still pass through each "
+                            "other.")
+                .arg(at->moved1 ? 1 : 2),
+            *at, Suspect::Answer);
         return true;
     }
 
@@ -150,19 +169,29 @@ private:
                          .arg(hit.moved1 ? 1 : 2);
     }
 
+    /// How fast those that are thrown come nearer at most, m/s.
+    [[nodiscard]] double fastestThrown() const
+    {
+        double fastest = 0.0;
+        for (const PairHit &thrown : m_own.contacts)
+            fastest = std::max(fastest, thrown.slowness * thrown.meeting.closing());
+        return fastest;
+    }
+
+    /// That none of those that are thrown is answered.
+    [[nodiscard]] QString noneOfThrown() const
+    {
+        return ContactText::tr("From all %1 directions in which they were thrown at each other, "
+                               "with up to %2 m/s along the line of centres, neither of them "
+                               "changed its velocity.")
+            .arg(QString::number(m_own.contacts.size()), brief(fastestThrown()));
+    }
+
     /// The first hit of the own scene is answered, and none of those that are thrown.
     void findOwnAlone()
     {
         const PairHit &hit = *m_own.own;
-        double fastest = 0.0;
-        for (const PairHit &thrown : m_own.contacts)
-            fastest = std::max(fastest, thrown.slowness * thrown.meeting.closing());
-        const QString seen =
-            ContactText::tr("From all %1 directions in which they were thrown at each other, with "
-                            "up to %2 m/s along the line of centres, neither of them changed its "
-                            "velocity.")
-                .arg(QString::number(m_own.contacts.size()), brief(fastest))
-            + QLatin1Char(' ');
+        const QString seen = noneOfThrown() + QLatin1Char(' ');
         if (isInTime(hit))
             add(ContactText::tr("No hit tried is answered but that of your own scene"),
                 seen
@@ -218,16 +247,17 @@ private:
             && hit.meeting.sum() <= hit.before + 2.0 * (hit.before - hit.reached))
             return;
         const auto &before = m_ground.own.circles;
-        const bool isOfOldRadii =
-            before.size() > 1 && hit.fits(before[0].body.radius + before[1].body.radius);
+        const bool isOfSpeed = m_own.fast && m_own.fast->isMet() && !isInTime(*m_own.fast);
+        const bool isOfOldRadii = !isOfSpeed && before.size() > 1
+                                  && hit.fits(before[0].body.radius + before[1].body.radius);
         add(hit.reached > hit.meeting.sum()
                 ? ContactText::tr("In your own scene the circles answer before they touch")
                 : ContactText::tr("In your own scene the circles answer too late"),
             ContactText::tr("With r₁ = %1 m and r₂ = %2 m they answered when their centres were "
-                            "between %3 and %4 m apart; rims touch where that is %5 m. Other "
-                            "scenes come out right.")
+                            "between %3 and %4 m apart; rims touch where that is %5 m. Thrown "
+                            "with up to %6 m/s along the line of centres they answer in time.")
                     .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(hit.reached),
-                         brief(hit.before), brief(hit.meeting.sum()))
+                         brief(hit.before), brief(hit.meeting.sum()), brief(fastestThrown()))
                 + QLatin1Char(' ')
                 + (isOfOldRadii
                        ? ContactText::tr("Look at when your program reads the radii: what is read "

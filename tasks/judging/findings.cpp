@@ -49,8 +49,8 @@ public:
         for (const Aspect aspect :
              {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
             if (aspect == Aspect::Walls) {
-                takeUnchanged();
                 giveRoom();
+                takeUnchanged();
             }
             if (!m_deviations.isAsked(aspect)
                 || (aspect == Aspect::Motion && (isTurnedAhead() || isTurnedFar()))
@@ -235,13 +235,26 @@ private:
                            [&](const WallHit &hit) { return hit.circle == circle && hit.turned; });
     }
 
+    /// Whether a hit that is thrown changes it.
+    [[nodiscard]] bool isPushed(int circle) const
+    {
+        const auto pushes = [circle](const PairHit &hit) {
+            return hit.answered && length(circle == 0 ? hit.push1() : hit.push2()) > 1e-9;
+        };
+        const MeasuredPair &pair = m_own.pair();
+        return circle < 2
+               && (std::any_of(pair.contacts.begin(), pair.contacts.end(), pushes)
+                   || std::any_of(pair.varied.begin(), pair.varied.end(), pushes));
+    }
+
     /// What is said of walls and hits at once.
     void takeUnchanged()
     {
         if (!m_deviations.isAsked(Aspect::Walls) || !m_deviations.isAsked(Aspect::Response))
             return;
         const auto unchanged = unchangedVelocity(m_submission.program(), m_ground);
-        if (!unchanged || isTurnedByAWall(unchanged->moment.circles.front()))
+        if (!unchanged || isTurnedByAWall(unchanged->moment.circles.front())
+            || isPushed(unchanged->moment.circles.front()))
             return;
         m_unchanged = unchanged->moment.circles.front();
         add(*unchanged, {}, unchanged->message);

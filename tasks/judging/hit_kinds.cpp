@@ -8,40 +8,17 @@
 #include "tasks/judging/response_reading.h"
 
 #include <cmath>
+#include <set>
 
 namespace cradle {
 
 namespace {
 
-bool isEqual(const Meeting &m)
-{
-    return m.radius1 == m.radius2 && m.density1 == m.density2;
-}
-
 bool areRightOfEquals(const std::vector<JudgedMeeting> &hits)
 {
     return std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
-        return one.isRight || !isEqual(one.hit->meeting);
+        return one.isRight || !areAlike(one.hit->meeting);
     });
-}
-
-std::ptrdiff_t rightOf(const std::vector<JudgedMeeting> &hits)
-{
-    return std::count_if(hits.begin(), hits.end(),
-                         [](const JudgedMeeting &one) { return one.isRight; });
-}
-
-QString countOf(const std::vector<JudgedMeeting> &hits,
-                const std::optional<MeetingDivision> &division)
-{
-    const auto right = static_cast<int>(rightOf(hits));
-    const QString all = QString::number(hits.size());
-    return QLatin1Char(' ')
-           + (division
-                  ? ConditionText::tr("Of %1 hits tried, %n came out right: %2.", nullptr, right)
-                        .arg(all, division->phrase)
-                  : ConditionText::tr("Of %1 hits tried, %n came out right.", nullptr, right)
-                        .arg(all));
 }
 
 /// Whether what one of two equal circles gains the other loses.
@@ -51,6 +28,12 @@ bool areOpposite(const PairHit &hit)
 }
 
 } // namespace
+
+std::ptrdiff_t rightOf(const std::vector<JudgedMeeting> &hits)
+{
+    return std::count_if(hits.begin(), hits.end(),
+                         [](const JudgedMeeting &one) { return one.isRight; });
+}
 
 bool HitKinds::areOfSide() const
 {
@@ -159,6 +142,19 @@ bool HitKinds::isOfPush(const PairHit &hit) const
     return areOpposite(hit) && isAlong == (m_said.deviations.front().topic != Topic::Direction);
 }
 
+/// Whether what was found is that parts across are changed, and they alone are in \p hit.
+bool HitKinds::isOfAcross(const PairHit &hit) const
+{
+    if (!m_said.deviations.front().message.startsWith(
+            ResponseText::tr("The parts across the line of centres are changed")))
+        return false;
+    const PairVelocities good = rightFor(hit.cameParts(), goodOf(hit));
+    PairVelocities seen = hit.leftParts();
+    seen.across1 = good.across1;
+    seen.across2 = good.across2;
+    return isSameAnswerTo(hit, seen, good);
+}
+
 /// Whether what was found, which is no law of all \p hits of equal circles, is so in most of them.
 bool HitKinds::isOfMost(const Kinds &hits) const
 {
@@ -168,7 +164,7 @@ bool HitKinds::isOfMost(const Kinds &hits) const
         return !one.isRight
                && (found.topic == Topic::Momentum     ? !areOpposite(hit)
                    : found.moment.circles.size() == 1 ? isOfOneCircle(hit)
-                                                      : isOfPush(hit));
+                                                      : isOfPush(hit) || isOfAcross(hit));
     };
     return 2 * std::count_if(hits.begin(), hits.end(), isSo) > std::ssize(hits);
 }
@@ -176,12 +172,16 @@ bool HitKinds::isOfMost(const Kinds &hits) const
 /// Tells of what was found in how many of \p hits it is, where it is not in all.
 void HitKinds::limit(const Kinds &hits)
 {
-    LawDeviation &found = m_said.deviations.front();
+    limit(m_said.deviations.front(), isOfMost(hits) ? ConditionText::tr("%1 (in most hits)")
+                                                    : ConditionText::tr("%1 (in some hits)"));
+}
+
+/// \param text  with a place for the headline
+void HitKinds::limit(LawDeviation &found, const QString &text)
+{
     const qsizetype end = found.message.indexOf(QLatin1Char('\n'));
-    found.message = (isOfMost(hits) ? ConditionText::tr("%1 (in most hits)")
-                                    : ConditionText::tr("%1 (in some hits)"))
-                        .arg(found.message.left(end))
-                    + found.message.mid(end);
+    found.message = text.arg(found.message.left(end)) + found.message.mid(end);
+    found.isOfSome = true;
 }
 
 /// Whether what was found of two sizes is of masses, and all of \p hits follow some masses, but
@@ -212,17 +212,25 @@ std::vector<LawDeviation> HitKinds::judge(std::vector<LawDeviation> given)
 void HitKinds::judge()
 {
     std::vector<LawDeviation> &found = m_said.deviations;
-    if (!found.empty() && found.front().topic == Topic::Restitution)
-        return;
+    const auto isOfE = [](const LawDeviation &one) { return one.topic == Topic::Restitution; };
+    if (std::any_of(found.begin(), found.end(), isOfE)) {
+        const bool isFirst = isOfE(found.front());
+        judgeRestitution();
+        if (isFirst)
+            return;
+    }
     // Whoever is hit again while they part has more than one answer in it.
     if (found.empty() && m_own.pair().twice && !m_right.pair().twice)
         return;
     Kinds all = kinds();
-    // All of these are first hits: what is wrong with them was not kept.
+    // All of these are first hits: what is wrong with them was not kept. Nor are they slow.
     const bool isOfMemory =
         !found.empty()
         && (found.front().suspect == Suspect::Kept || found.front().suspect == Suspect::Copy);
-    if (isOfMemory && rightOf(all) < std::ssize(all))
+    const bool isOfSlow = !found.empty()
+                          && found.front().message.startsWith(ResponseText::tr(
+                              "Circles that meet slowly are answered in another way"));
+    if (rightOf(all) < std::ssize(all) && (isOfMemory || (isOfSlow && rightOf(all) > 0)))
         found.clear();
     if (!found.empty()) {
         const double e = m_own.pair().equals.front().meeting.restitution;
@@ -234,10 +242,16 @@ void HitKinds::judge()
     Kinds hits = all;
     if (!found.empty())
         std::erase_if(hits, [&](const JudgedMeeting &one) {
-            return isEqual(one.hit->meeting) == isOfMasses;
+            return areAlike(one.hit->meeting) == isOfMasses;
         });
     const auto right = rightOf(hits);
-    if (right == std::ssize(hits) || (!found.empty() && (right == 0 || areMasses(hits))))
+    if (right == std::ssize(hits))
+        return;
+    if (!found.empty())
+        limitToE(isOfMasses);
+    if (!found.empty() && right == 0)
+        judgeAllWrong(hits);
+    if (!found.empty() && (right == 0 || areMasses(hits)))
         return;
     const auto isOne = [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); };
     if (isOfMasses && areRightOfEquals(all)
@@ -262,6 +276,53 @@ void HitKinds::judge()
                        [](const LawDeviation &one) { return one.topic == Topic::Direction; }))
         return;
     found = {std::move(said)};
+}
+
+/// How many of \p hits come out right, and with which e, if others were tried, too; begins with a
+/// blank.
+QString HitKinds::countOf(const Kinds &hits, const std::optional<MeetingDivision> &division) const
+{
+    std::set<double> restitutions;
+    for (const JudgedMeeting &one : hits)
+        restitutions.insert(one.hit->meeting.restitution);
+    const Kinds every = kinds();
+    const bool isOfSome = std::any_of(every.begin(), every.end(), [&](const JudgedMeeting &one) {
+        return !restitutions.contains(one.hit->meeting.restitution);
+    });
+    QStringList told;
+    for (const double e : restitutions)
+        told.append(brief(e));
+    const QString of = told.join(QStringLiteral(", "));
+    const auto right = static_cast<int>(rightOf(hits));
+    const QString all = QString::number(hits.size());
+    const QString text =
+        division && isOfSome
+            ? ConditionText::tr("Of %1 hits tried with e = %2, %n came out right: %3.", nullptr,
+                                right)
+                  .arg(all, of, division->phrase)
+        : division ? ConditionText::tr("Of %1 hits tried, %n came out right: %2.", nullptr, right)
+                         .arg(all, division->phrase)
+        : isOfSome
+            ? ConditionText::tr("Of %1 hits tried with e = %2, %n came out right.", nullptr, right)
+                  .arg(all, of)
+            : ConditionText::tr("Of %1 hits tried, %n came out right.", nullptr, right).arg(all);
+    return QLatin1Char(' ') + text;
+}
+
+/// Where none of \p hits, not empty, comes out right: what was found of others need not be so in
+/// them.
+void HitKinds::judgeAllWrong(const Kinds &hits)
+{
+    const LawDeviation &found = m_said.deviations.front();
+    if (found.isOfSome)
+        return;
+    const bool isOfOne = found.suspect == Suspect::Answer && found.moment.circles.size() == 1;
+    if (isOfOne && !std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
+            return isOfOneCircle(*one.hit);
+        }))
+        limit(hits);
+    else if (MassExponents(m_own.pair()).radius && !areMasses(hits))
+        (void)areOtherMasses(hits);
 }
 
 /// A known answer that all of \p hits follow, and those of equal circles.

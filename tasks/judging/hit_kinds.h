@@ -35,15 +35,34 @@ private:
     [[nodiscard]] bool areMasses(const Kinds &hits) const;
     [[nodiscard]] bool isOfOneCircle(const PairHit &hit) const;
     [[nodiscard]] bool isOfPush(const PairHit &hit) const;
+    [[nodiscard]] bool isOfAcross(const PairHit &hit) const;
     [[nodiscard]] bool isOfMost(const Kinds &hits) const;
+    [[nodiscard]] QString countOf(const Kinds &hits,
+                                  const std::optional<MeetingDivision> &division) const;
     void limit(const Kinds &hits);
+    static void limit(LawDeviation &found, const QString &text);
     void judge();
+    void judgeAllWrong(const Kinds &hits);
+    [[nodiscard]] bool isWrongWith(double restitution) const;
+    [[nodiscard]] Kinds withLosses() const;
+    void judgeRestitution();
+    void limitRestitution(const Kinds &hits);
+    void limitToE(bool isOfMasses);
     [[nodiscard]] bool areOtherMasses(const Kinds &hits);
     [[nodiscard]] std::optional<ResponseLaw> lawOf(const Kinds &hits) const;
     [[nodiscard]] const PairHit &clearlyWrong(const Kinds &all) const;
     [[nodiscard]] LawDeviation kindsDeviation(const Kinds &all,
                                               const std::optional<MeetingDivision> &division) const;
 };
+
+/// Whether two circles have the same radius and density.
+[[nodiscard]] constexpr bool areAlike(const Meeting &m)
+{
+    return m.radius1 == m.radius2 && m.density1 == m.density2;
+}
+
+/// How many of \p hits come out right.
+[[nodiscard]] std::ptrdiff_t rightOf(const std::vector<JudgedMeeting> &hits);
 
 /// Whether two answers to \p hit are the same, as seen from how fast they came.
 [[nodiscard]] bool isSameAnswerTo(const PairHit &hit, const PairVelocities &a,

@@ -3,6 +3,7 @@
 #include "tasks/judging/known_mistakes.h"
 
 #include "tasks/judging/flight_words.h"
+#include "tasks/judging/hit_kinds.h"
 #include "tasks/judging/likeness.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/wall_words.h"
@@ -79,6 +80,18 @@ bool isSame(const MeasuredLaws &a, const MeasuredLaws &b, Aspect aspect, const G
            && (aspect != Aspect::Contact || !ground.pair.asked || a.pair().sequelIsLike(b.pair()));
 }
 
+/// Whether hits of many kinds are answered alike, as far as two programs see them along one line.
+bool answersManyAlike(const MeasuredLaws &a, const MeasuredLaws &b)
+{
+    const std::vector<PairHit> &ours = a.pairAnswers();
+    const std::vector<PairHit> &theirs = b.pairAnswers();
+    return std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                      [](const PairHit &p, const PairHit &q) {
+                          return !p.isMet() || !q.isMet() || !p.isAligned() || !q.isAligned()
+                                 || isSameAnswerTo(p, p.leftParts(), q.leftParts());
+                      });
+}
+
 /// Whether something is wrong with \p laws in an aspect that comes before that of the query.
 bool deviatesBefore(const MistakeQuery &query, const MeasuredLaws &laws)
 {
@@ -102,6 +115,7 @@ bool explains(const MistakeQuery &query, std::size_t i)
     const Ground &ground = query.known.ground();
     // What the mistake does rightly it cannot explain.
     return isSame(known, query.own, query.aspect, ground)
+           && (query.aspect != Aspect::Response || answersManyAlike(known, query.own))
            && !isSame(known, query.known.right(), query.aspect, ground)
            && startsLike(query.own.flight().own().scene, known.flight().own().scene,
                          query.known.right().flight().own().scene)

@@ -17,6 +17,13 @@ QString degreesOf(Vec2 n)
     return brief(std::atan2(n.y, n.x) * 180.0 / std::numbers::pi);
 }
 
+/// The line of centres of a hit, at the start of its step or at its end, whichever is nearer to n.
+Vec2 lineNear(Vec2 n, const PairHit &hit)
+{
+    return std::abs(cross(n, hit.normal)) < std::abs(cross(n, hit.nextNormal)) ? hit.normal
+                                                                               : hit.nextNormal;
+}
+
 } // namespace
 
 LawDeviation keptLineDeviation(const PairHit &first, const PairHit &wrong)
@@ -47,7 +54,7 @@ std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const Measur
             ResponseText::tr("Two circles met with their line of centres at %1°, and again, "
                              "back from a wall, with it at %2°. Both times they were pushed "
                              "along %3°. Every hit has a normal of its own: work it out anew.")
-                .arg(degreesOf(one.normal), degreesOf(two.normal), degreesOf(n2)),
+                .arg(degreesOf(lineNear(n1, one)), degreesOf(lineNear(n2, two)), degreesOf(n2)),
             two, Suspect::Kept);
     }
     const double e = one.meeting.restitution;

@@ -366,7 +366,8 @@ std::optional<MeetingDivision> divisionBy(const std::vector<JudgedMeeting> &meet
                 found = other;
         }
     }
-    return found ? found : limitOf(all);
+    const auto limit = limitOf(all);
+    return found && limit ? std::nullopt : found ? found : limit;
 }
 
 std::optional<MeetingDivision> divisionOf(const std::vector<PairHit> &hits, bool isAlong)

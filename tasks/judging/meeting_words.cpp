@@ -27,6 +27,9 @@ public:
         case Meetings::SlowOrFast:
             findSpeed();
             break;
+        case Meetings::FastAlone:
+            findFastAlone();
+            break;
         }
         return std::move(m_found);
     }
@@ -48,8 +51,7 @@ private:
     /// Of the slow and the fast ones.
     void findSpeed()
     {
-        findSpeed(m_own.slow, m_right.slow,
-                  ContactText::tr("Circles that come nearer slowly are not answered"));
+        findSpeed(m_own.slow, m_right.slow, notSlowly());
         findSpeed(m_own.fast, m_right.fast,
                   ContactText::tr("Circles that come nearer fast are not answered"));
     }
@@ -57,20 +59,37 @@ private:
     void findSpeed(const std::optional<PairHit> &own, const std::optional<PairHit> &right,
                    const QString &headline)
     {
-        if (!own || !right || own->answered || !right->isMet() || !answersAny(m_own.equals))
-            return;
+        if (own && right && !own->answered && right->isMet() && answersAny(m_own.equals))
+            addSpeed(headline, *own, m_own.contacts.front());
+    }
+
+    void findFastAlone()
+    {
+        if (m_own.fast && m_own.fast->isMet())
+            addSpeed(notSlowly(), m_own.contacts.front(), *m_own.fast);
+    }
+
+    static QString notSlowly()
+    {
+        return ContactText::tr("Circles that come nearer slowly are not answered");
+    }
+
+    void addSpeed(const QString &headline, const PairHit &missed, const PairHit &answered)
+    {
+        const auto speed = [](const PairHit &hit) {
+            return brief(hit.slowness * hit.meeting.closing());
+        };
         add(headline,
-            (own->isHeld()
+            (missed.isHeld()
                  ? ContactText::tr("They came nearer with %1 m/s, touched and kept their "
                                    "velocities; with %2 m/s they are answered.")
                  : ContactText::tr("They came nearer with %1 m/s and ran into each other; with %2 "
                                    "m/s they are answered."))
-                    .arg(brief(own->slowness * own->meeting.closing()),
-                         brief(own->slowness * m_own.contacts.front().meeting.closing()))
+                    .arg(speed(missed), speed(answered))
                 + QLatin1Char(' ')
                 + ContactText::tr("How fast they come does not matter: what counts is whether they "
                                   "overlap and come nearer."),
-            whereTheyTouch(*own));
+            whereTheyTouch(missed));
     }
 
     void findOnce()

@@ -35,9 +35,9 @@ std::optional<LawDeviation> ownMasses(const PairHit &hit, const MeasuredPair &ow
         isElseRight
             ? ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
                                "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
-                               "it is %6 times. Other scenes come out right. A mass that is "
-                               "worked out before radius and density are set keeps the old "
-                               "value: look at the order in `on_load`.")
+                               "it is %6 times. In other scenes the masses come out right. A mass "
+                               "that is worked out before radius and density are set keeps the "
+                               "old value: look at the order in `on_load`.")
                   .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1), brief(m.radius2),
                        brief(m.density1), brief(m.density2), motion::figureBeside(wanted, *heavy))
             : ResponseText::tr(
@@ -69,14 +69,9 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRig
         return std::nullopt;
     return responseDeviation(
         ResponseText::tr("In your own scene the hit does not use the e that it has"),
-        (isElseRight
-             ? ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, "
-                                "and `restitution` is %4. Other scenes come out right. A copy "
-                                "of e that is made before e is set keeps the old value.")
-             : ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, "
-                                "and `restitution` is %4. In other scenes they part with e "
-                                "times the speed. A copy of e that is made before e is set "
-                                "keeps the old value."))
+        ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
+                         "`restitution` is %4. In other scenes they part with e times the speed. "
+                         "A copy of e that is made before e is set keeps the old value.")
             .arg(brief(closing), brief(parting), brief(parting / closing), brief(m.restitution)),
         hit, Suspect::Copy);
 }

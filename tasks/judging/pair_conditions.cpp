@@ -64,6 +64,10 @@ private:
     {
         const auto &own = m_own.pairAgain();
         const auto &right = m_right.pairAgain();
+        // Those that are slower or elsewhere need not have come so near then.
+        if (aspect == Aspect::Contact && !own.empty() && own.front().hit.isMet()
+            && !own.front().hit.fits(own.front().hit.meeting.sum()))
+            return false;
         Series<PairOccasion> series;
         for (std::size_t i = 0; own.size() == right.size() && i < own.size(); ++i) {
             const PairHit &hit = own[i].hit;
@@ -95,9 +99,12 @@ private:
         const bool isContact = aspect == Aspect::Contact;
         const bool hasLosses = m_ground.pair.restitutions.size() > 1;
         const PairHit &hit = seen->hit;
+        const bool isEarly = isContact && hit.answered && isTooEarly(hit);
         QString met =
-            (isContact   ? ConditionText::tr("At %1 s of its run they met at %2 m, with %3 "
-                                               "m/s, and ran into each other.")
+            (isEarly     ? ConditionText::tr("At %1 s of its run they met at %2 m, with %3 "
+                                                 "m/s, and were answered before they touched.")
+             : isContact ? ConditionText::tr("At %1 s of its run they met at %2 m, with %3 "
+                                             "m/s, and ran into each other.")
              : hasLosses ? ConditionText::tr("At %1 s of its run they met at %2 m, with %3 "
                                              "m/s and e = %4.")
                          : ConditionText::tr("At %1 s of its run they met at %2 m, with %3 "
@@ -106,8 +113,14 @@ private:
                      brief(hit.slowness * hit.meeting.closing()));
         if (!isContact && hasLosses)
             met = met.arg(brief(hit.meeting.restitution));
+        if (condition->isOfHistory() && seen->when.number > 1)
+            met += QLatin1Char(' ')
+                   + ConditionText::tr("It was meeting number %1 of that run, %2 s after the one "
+                                       "before.")
+                         .arg(QString::number(seen->when.number), brief(seen->when.pause));
         say(aspect,
             {!isContact ? ConditionText::tr("Some hits of the two circles come out wrong")
+             : isEarly  ? ConditionText::tr("Some meetings are answered before they touch")
              : hit.answered
                  ? ConditionText::tr("Some hits of the two circles are answered too late")
                  : ConditionText::tr("Some hits of the two circles are not answered"),

@@ -8,7 +8,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double kick = 1e-6; ///< of a velocity, relative: what no rounding makes
+constexpr double kick = 1e-8; ///< of a velocity, relative: what no rounding makes
 constexpr double secondsOfOwn = 6.0;
 
 } // namespace

@@ -61,10 +61,11 @@ PairVelocities comingOf(int k, const Ground::Pair &asked)
     return v;
 }
 
-/// All ways of coming are among the fast ones, and among those with another e.
+/// All ways of coming are among the fast ones, and among those with another e; so are all sides,
+/// which come round again after 12.
 constexpr bool isFast(int k)
 {
-    return k / 6 % 2 == 1;
+    return (k / 6 + k) % 2 == 1;
 }
 
 constexpr bool isLossy(int k)
@@ -152,8 +153,10 @@ std::vector<PairHit> PairRange::answers() const
         m.restitution = isLossy(k) ? losses[static_cast<std::size_t>(k) % losses.size()] : greatest;
         if (isFast(k))
             m.velocities = faster(m.velocities, 3.0);
+        // In the second step of a run, or in the third: something may alternate.
+        const double steps = (k / 4 + k) % 2 == 0 ? 1.4 : 2.4;
         const double way = m.closing() * shortStep;
-        hits.push_back(meet(m, m.sum() + 2.4 * way, m.sum(), shortStep, fewSteps));
+        hits.push_back(meet(m, m.sum() + steps * way, m.sum(), shortStep, fewSteps));
     }
     return hits;
 }

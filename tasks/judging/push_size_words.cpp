@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cradle {
 
@@ -81,6 +82,26 @@ std::vector<HitPair> equalHits(const MeasuredPair &own, const MeasuredPair &righ
     return all;
 }
 
+/// Between what the size of the push lies in steps of the usual length, if it is not the same in
+/// all by some share of \p factor.
+std::optional<std::pair<double, double>> rangeOfPush(const MeasuredPair &own,
+                                                     const MeasuredPair &right, double factor)
+{
+    constexpr double blur = 0.1; // the line of centres turns in such a step
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t i = 0; i < own.contacts.size(); ++i) {
+        const PairHit &mine = own.contacts[i];
+        if (mine.meeting.radius1 != mine.meeting.radius2 || !mine.isMet()
+            || !right.contacts[i].isMet())
+            continue;
+        least = std::min(least, factorOf(mine, right.contacts[i]));
+        most = std::max(most, factorOf(mine, right.contacts[i]));
+    }
+    return most - least > blur * std::abs(factor) ? std::optional(std::pair(least, most))
+                                                  : std::nullopt;
+}
+
 } // namespace
 
 SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const PairHit &hit,
@@ -127,6 +148,13 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
                           .arg(briefTimestep(hit.stage.preset.timestep), brief(factor),
                                briefTimestep(mine.stage.preset.timestep), brief(other))};
     }
+    if (const auto range = rangeOfPush(own, right, factor))
+        return {ResponseText::tr("The push has the wrong size"),
+                QLatin1Char(' ')
+                    + ResponseText::tr("In meetings with a timestep of %1 s it was between %2 and "
+                                       "%3 times as large as it should be.")
+                          .arg(briefTimestep(own.contacts.front().stage.preset.timestep),
+                               brief(range->first), brief(range->second))};
     bool isOfEveryE = true;
     for (std::size_t i = 0; i < own.rebounds.size(); ++i) {
         const PairHit &mine = own.rebounds[i];

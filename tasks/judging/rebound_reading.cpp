@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/rebound_reading.h"
 
+#include "tasks/judging/response_reading.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,8 +54,25 @@ bool isOfMasses(const LawOfE &law, int circle, const MeasuredPair &own, const Me
     return holds(own.radii, right.radii) && holds(own.densities, right.densities);
 }
 
-std::optional<PushLine> lineOfPush(const MeasuredPair &own, const MeasuredPair &right,
-                                   const std::vector<Rebound> &all,
+namespace {
+
+/// Whether unequal circles, too, part as \p law tells of e, whatever masses share the push.
+bool partBy(const LawOfE &law, const MeasuredPair &own)
+{
+    for (const auto *hits : {&own.radii, &own.densities}) {
+        for (const PairHit &hit : *hits) {
+            if (hit.isMet() && hit.isAligned()
+                && (!massRatio(hit)
+                    || std::abs(hit.rebound() - law(hit.meeting.restitution)) > reboundBlur))
+                return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::optional<PushLine> lineOfPush(const MeasuredPair &own, const std::vector<Rebound> &all,
                                    const std::vector<Rebound> &elastic)
 {
     constexpr double clear = 2.0 * reboundBlur;
@@ -72,9 +91,7 @@ std::optional<PushLine> lineOfPush(const MeasuredPair &own, const MeasuredPair &
                 return std::nullopt;
         }
     }
-    return isOfMasses(law, 1, own, right) && isOfMasses(law, 2, own, right)
-               ? std::optional(PushLine{without, perE})
-               : std::nullopt;
+    return partBy(law, own) ? std::optional(PushLine{without, perE}) : std::nullopt;
 }
 
 } // namespace cradle

@@ -44,7 +44,7 @@ struct PushLine {
 /// That of both circles, whatever their masses are; nothing if it is none, does not depend on e, or
 /// is 1 + e times a number.
 /// \param elastic  the rebounds with the greatest e, \p all those with the others
-[[nodiscard]] std::optional<PushLine> lineOfPush(const MeasuredPair &own, const MeasuredPair &right,
+[[nodiscard]] std::optional<PushLine> lineOfPush(const MeasuredPair &own,
                                                  const std::vector<Rebound> &all,
                                                  const std::vector<Rebound> &elastic);
 

@@ -175,8 +175,7 @@ private:
             QString headline;
         };
         const std::vector<Law> laws{
-            {[](double) { return 1.0; },
-             ReboundText::tr("e changes nothing in the hits that were tried")},
+            {[](double) { return 1.0; }, ReboundText::tr("e changes nothing in the hits tried")},
             {[](double e) { return e * e; },
              ReboundText::tr("e is squared in the hit of two circles")},
             {[](double e) { return std::sqrt(e); },
@@ -187,6 +186,8 @@ private:
              ReboundText::tr("The push is multiplied by 2 e instead of 1 + e")},
             {[](double e) { return e - 1.0; },
              ReboundText::tr("The push is multiplied by e instead of 1 + e")},
+            {[](double e) { return e * (1.0 + e) - 1.0; },
+             ReboundText::tr("The push is multiplied by e (1 + e) instead of 1 + e")},
             {[](double e) { return 1.0 / e; }, ReboundText::tr("The rebound is divided by e")},
             {[](double e) { return -e; },
              ReboundText::tr("The sign of e is wrong in the hit of two circles")}};
@@ -213,14 +214,20 @@ private:
 
     bool findLine()
     {
-        const auto push = lineOfPush(m_own, m_right, m_all, m_elastic);
+        const auto push = lineOfPush(m_own, m_all, m_elastic);
         if (!push)
             return false;
         const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
-        add((push->perE > 0.0
-                 ? ReboundText::tr("The push is multiplied by %1 + %2 e instead of 1 + e")
-                 : ReboundText::tr("The push is multiplied by %1 − %2 e instead of 1 + e"))
-                .arg(number(push->without), number(std::abs(push->perE))));
+        const QString perE = number(std::abs(push->perE));
+        QString headline =
+            push->perE > 0.0
+                ? ReboundText::tr("The push is multiplied by %1 + %2 e instead of 1 + e")
+                : ReboundText::tr("The push is multiplied by %1 − %2 e instead of 1 + e");
+        if (perE == QLatin1String("1"))
+            headline.replace(QStringLiteral("%2 e"), QStringLiteral("e"));
+        else
+            headline = headline.arg(QStringLiteral("%1"), perE);
+        add(headline.arg(number(push->without)));
         m_reading.explainsElastic = !m_isElastic;
         return true;
     }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/hit_kinds.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
@@ -109,6 +110,19 @@ private:
         return {nullptr, nullptr};
     }
 
+    /// Whether all hits of unequal circles come out wrong.
+    [[nodiscard]] bool isNoUnequalRight() const
+    {
+        for (const auto &[own, right] : {std::pair(&m_own.radii, &m_right.radii),
+                                         std::pair(&m_own.densities, &m_right.densities)}) {
+            for (const EqualHit &one : comparableHits(*own, *right)) {
+                if (!areAlike(one.hit.meeting) && isSameAnswer(one.hit.leftParts(), one.right))
+                    return false;
+            }
+        }
+        return true;
+    }
+
     /// Equal circles come out right, unequal ones do not, in a way that no mass explains.
     void findUnequal()
     {
@@ -123,7 +137,9 @@ private:
         take(responseDeviation(
             isOfE ? ResponseText::tr("With e = %1 a hit does not come out right")
                         .arg(brief(m.restitution))
-                  : ResponseText::tr("Equal circles answer rightly, not all unequal ones do"),
+            : isNoUnequalRight()
+                ? ResponseText::tr("Equal circles answer rightly, no unequal ones tried do")
+                : ResponseText::tr("Equal circles answer rightly, not all unequal ones do"),
             ResponseText::tr("With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: ")
                     .arg(brief(m.radius1), brief(m.radius2), brief(m.density1), brief(m.density2),
                          brief(m.restitution))

@@ -14,7 +14,7 @@ struct TriedText {
     Q_DECLARE_TR_FUNCTIONS(Findings)
 };
 
-using Kind = Condition::Kind;
+using Tried = Condition::Kind;
 
 /// \p text with the last right value and the first wrong one, told so that they differ.
 QString withLimits(const QString &text, const Condition &condition)
@@ -36,35 +36,35 @@ QString countedIn(const Condition &condition)
     return TriedText::tr("in a run");
 }
 
-QString limitText(Kind kind)
+QString limitText(Tried kind)
 {
     switch (kind) {
-    case Kind::Pause:
+    case Tried::Pause:
         return TriedText::tr("all that came %1 s or more after the one before, none that came "
                              "within %2 s");
-    case Kind::Until:
+    case Tried::Until:
         return TriedText::tr("all up to %1 s of a run, none from %2 s on");
-    case Kind::From:
+    case Tried::From:
         return TriedText::tr("all from %1 s of a run on, none up to %2 s");
-    case Kind::Above:
+    case Tried::Above:
         return TriedText::tr("all at y = %1 m and above, none at y = %2 m and below");
-    case Kind::Below:
+    case Tried::Below:
         return TriedText::tr("all at y = %1 m and below, none at y = %2 m and above");
-    case Kind::LeftOf:
+    case Tried::LeftOf:
         return TriedText::tr("all at x = %1 m and left of it, none at x = %2 m and right of it");
-    case Kind::RightOf:
+    case Tried::RightOf:
         return TriedText::tr("all at x = %1 m and right of it, none at x = %2 m and left of it");
-    case Kind::Slower:
+    case Tried::Slower:
         return TriedText::tr("all with up to %1 m/s, none with %2 m/s or more");
-    case Kind::Faster:
+    case Tried::Faster:
         return TriedText::tr("all with %1 m/s or more, none with up to %2 m/s");
-    case Kind::SlowerInto:
+    case Tried::SlowerInto:
         return TriedText::tr("all with up to %1 m/s into the wall, none with %2 m/s or more");
-    case Kind::FasterInto:
+    case Tried::FasterInto:
         return TriedText::tr("all with %1 m/s or more into the wall, none with up to %2 m/s");
-    case Kind::SlowerAlong:
+    case Tried::SlowerAlong:
         return TriedText::tr("all with up to %1 m/s along the wall, none with %2 m/s or more");
-    case Kind::FasterAlong:
+    case Tried::FasterAlong:
         return TriedText::tr("all with %1 m/s or more along the wall, none with up to %2 m/s");
     default:
         return {};
@@ -76,48 +76,48 @@ QString limitText(Kind kind)
 QString triedPhrase(const Condition &condition)
 {
     switch (condition.kind) {
-    case Kind::Sometimes:
-    case Kind::Setting:
+    case Tried::Sometimes:
+    case Tried::Setting:
         return {};
-    case Kind::First:
+    case Tried::First:
         return TriedText::tr("the first %1, none of the later ones").arg(countedIn(condition));
-    case Kind::NotFirst:
+    case Tried::NotFirst:
         return TriedText::tr("all but the first %1").arg(countedIn(condition));
-    case Kind::FirstFew:
+    case Tried::FirstFew:
         return withLimits(TriedText::tr("all up to number %1, none from number %2 on, counted %3"),
                           condition)
             .arg(countedIn(condition));
-    case Kind::AfterFew:
+    case Tried::AfterFew:
         return withLimits(TriedText::tr("all from number %1 on, none up to number %2, counted %3"),
                           condition)
             .arg(countedIn(condition));
-    case Kind::OddOnes:
+    case Tried::OddOnes:
         return TriedText::tr("the first, the third and so on %1, none between them")
             .arg(countedIn(condition));
-    case Kind::EvenOnes:
+    case Tried::EvenOnes:
         return TriedText::tr("the second, the fourth and so on %1, none between them")
             .arg(countedIn(condition));
-    case Kind::BeforeMet:
+    case Tried::BeforeMet:
         return TriedText::tr("all before the two circles had hit each other, none after it");
-    case Kind::BeforeHit:
+    case Tried::BeforeHit:
         return TriedText::tr("all before the circles had hit a wall, none after it");
-    case Kind::AfterHit:
+    case Tried::AfterHit:
         return TriedText::tr("all after the circles had hit a wall, none before it");
-    case Kind::Rightward:
+    case Tried::Rightward:
         return TriedText::tr("all that moved to the right, no others");
-    case Kind::Leftward:
+    case Tried::Leftward:
         return TriedText::tr("all that moved to the left, no others");
-    case Kind::Upward:
+    case Tried::Upward:
         return TriedText::tr("all that moved upward, no others");
-    case Kind::Downward:
+    case Tried::Downward:
         return TriedText::tr("all that moved downward, no others");
-    case Kind::OtherRightward:
+    case Tried::OtherRightward:
         return TriedText::tr("all while another circle moved to the right, no others");
-    case Kind::OtherLeftward:
+    case Tried::OtherLeftward:
         return TriedText::tr("all while another circle moved to the left, no others");
-    case Kind::OtherUpward:
+    case Tried::OtherUpward:
         return TriedText::tr("all while another circle moved upward, no others");
-    case Kind::OtherDownward:
+    case Tried::OtherDownward:
         return TriedText::tr("all while another circle moved downward, no others");
     default:
         return withLimits(limitText(condition.kind), condition);
