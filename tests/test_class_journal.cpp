@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/grading/class_journal.h"
 #include "tests/class_results.h"
 
 #include "model/files/json_schema.h"
