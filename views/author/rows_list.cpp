@@ -67,6 +67,11 @@ RowsList::RowsList(const QString &name, QWidget *parent, std::initializer_list<B
     connect(model(), &QAbstractItemModel::modelReset, this, &RowsList::showHeading);
 }
 
+RowsList::~RowsList()
+{
+    model()->disconnect(this); // which empties itself once this is no list any more
+}
+
 void RowsList::setTexts(const QString &name,
                         std::initializer_list<std::pair<Button, QString>> buttons,
                         const QString &heading)

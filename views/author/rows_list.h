@@ -26,6 +26,7 @@ public:
     /// \param name  of the object
     /// \param buttons  that it has; they are shown where underHeading() or the owner puts them
     RowsList(const QString &name, QWidget *parent, std::initializer_list<Button> buttons = {});
+    ~RowsList() override;
 
     /// nullptr if there is none.
     [[nodiscard]] QToolButton *button(Button which) const { return m_buttons[which]; }
