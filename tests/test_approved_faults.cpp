@@ -126,7 +126,7 @@ std::vector<NamedCheck> allChecks(const Scene &scene)
             {"same_integrator", check("same_integrator", {0, 1}, beside)},
             {"ends_at", check("ends_at", {0},
                               {{QStringLiteral("time"), 1.013},
-                               {velocities, QJsonArray{json({2.0, 1.3})}},
+                               {velocities, QJsonArray{QJsonValue(json({2.0, 1.3}))}}, // no copy
                                {QStringLiteral("tolerance"), 0.01}})},
             {"bounces", check("bounces", {0, 1}, beside)},
             {"bounces alone", check("bounces", {0})},
