@@ -147,20 +147,28 @@ QByteArray GitObjects::reference(const QString &name) const
 /// \return empty if it is broken, or larger than \p most
 QByteArray GitObjects::unpacked(const char *data, qsizetype size, qsizetype most)
 {
-    QByteArray made(std::min(most, mostObject) + 1, Qt::Uninitialized);
+    const qsizetype limit = std::min(most, mostObject) + 1;
+    QByteArray made(std::min(limit, 4 * size + 1024), Qt::Uninitialized);
     z_stream stream{};
     if (inflateInit(&stream) != Z_OK)
         return {};
     // It only reads there.
     stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(data));
     stream.avail_in = static_cast<uInt>(size);
-    stream.next_out = reinterpret_cast<Bytef *>(made.data());
-    stream.avail_out = static_cast<uInt>(made.size());
-    const int end = inflate(&stream, Z_FINISH);
-    const auto got = made.size() - static_cast<qsizetype>(stream.avail_out);
+    qsizetype got = 0;
+    int end = Z_OK;
+    while (true) {
+        stream.next_out = reinterpret_cast<Bytef *>(made.data()) + got;
+        stream.avail_out = static_cast<uInt>(made.size() - got);
+        end = inflate(&stream, Z_NO_FLUSH);
+        got = made.size() - static_cast<qsizetype>(stream.avail_out);
+        if (end != Z_OK || stream.avail_out > 0 || made.size() == limit)
+            break;
+        made.resize(std::min(limit, 2 * made.size()));
+    }
     inflateEnd(&stream);
     m_left -= got;
-    if (end != Z_STREAM_END || stream.avail_out == 0 || m_left < 0)
+    if (end != Z_STREAM_END || got == limit || m_left < 0)
         return {};
     made.truncate(got);
     return made;
