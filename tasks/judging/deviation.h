@@ -41,6 +41,8 @@ enum class Topic {
     Restitution, ///< what e does
     Distance,    ///< how far two circles are apart, not with what that is compared
     Momentum,    ///< that the two pushes are not equal and opposite
+    Across,      ///< the parts across the line of centres, of both circles
+    Slowness,    ///< of hits with which speeds it is
 };
 
 /// One thing in which a program's law is not the one that is asked for.

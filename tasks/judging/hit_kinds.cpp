@@ -14,13 +14,6 @@ namespace cradle {
 
 namespace {
 
-bool areRightOfEquals(const std::vector<JudgedMeeting> &hits)
-{
-    return std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
-        return one.isRight || !areAlike(one.hit->meeting);
-    });
-}
-
 /// Whether what one of two equal circles gains the other loses.
 bool areOpposite(const PairHit &hit)
 {
@@ -145,8 +138,7 @@ bool HitKinds::isOfPush(const PairHit &hit) const
 /// Whether what was found is that parts across are changed, and they alone are in \p hit.
 bool HitKinds::isOfAcross(const PairHit &hit) const
 {
-    if (!m_said.deviations.front().message.startsWith(
-            ResponseText::tr("The parts across the line of centres are changed")))
+    if (m_said.deviations.front().topic != Topic::Across)
         return false;
     const PairVelocities good = rightFor(hit.cameParts(), goodOf(hit));
     PairVelocities seen = hit.leftParts();
@@ -169,162 +161,6 @@ bool HitKinds::isOfMost(const Kinds &hits) const
     return 2 * std::count_if(hits.begin(), hits.end(), isSo) > std::ssize(hits);
 }
 
-/// Tells of what was found in how many of \p hits it is, where it is not in all.
-void HitKinds::limit(const Kinds &hits)
-{
-    limit(m_said.deviations.front(), isOfMost(hits) ? ConditionText::tr("%1 (in most hits)")
-                                                    : ConditionText::tr("%1 (in some hits)"));
-}
-
-/// \param text  with a place for the headline
-void HitKinds::limit(LawDeviation &found, const QString &text)
-{
-    const qsizetype end = found.message.indexOf(QLatin1Char('\n'));
-    found.message = text.arg(found.message.left(end)) + found.message.mid(end);
-    found.isOfSome = true;
-}
-
-/// Whether what was found of two sizes is of masses, and all of \p hits follow some masses, but
-/// not those; the headline is then that of no power.
-bool HitKinds::areOtherMasses(const Kinds &hits)
-{
-    LawDeviation &found = m_said.deviations.front();
-    if (found.suspect != Suspect::Masses || m_ground.pair.densities.isVaried()
-        || !std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
-               const double closing = std::abs(one.hit->meeting.closing());
-               return massRatio(*one.hit)
-                      && std::abs(one.hit->rebound() - one.hit->meeting.restitution) * closing
-                             < 0.01;
-           }))
-        return false;
-    found.message = ConditionText::tr("The masses do not follow the radii as those of balls do")
-                    + found.message.mid(found.message.indexOf(QLatin1Char('\n')));
-    return true;
-}
-
-std::vector<LawDeviation> HitKinds::judge(std::vector<LawDeviation> given)
-{
-    m_said.deviations = std::move(given);
-    judge();
-    return std::move(m_said.deviations);
-}
-
-void HitKinds::judge()
-{
-    std::vector<LawDeviation> &found = m_said.deviations;
-    const auto isOfE = [](const LawDeviation &one) { return one.topic == Topic::Restitution; };
-    if (std::any_of(found.begin(), found.end(), isOfE)) {
-        const bool isFirst = isOfE(found.front());
-        judgeRestitution();
-        if (isFirst)
-            return;
-    }
-    // Whoever is hit again while they part has more than one answer in it.
-    if (found.empty() && m_own.pair().twice && !m_right.pair().twice)
-        return;
-    Kinds all = kinds();
-    // All of these are first hits: what is wrong with them was not kept. Nor are they slow.
-    const bool isOfMemory =
-        !found.empty()
-        && (found.front().suspect == Suspect::Kept || found.front().suspect == Suspect::Copy);
-    const bool isOfSlow = !found.empty()
-                          && found.front().message.startsWith(ResponseText::tr(
-                              "Circles that meet slowly are answered in another way"));
-    if (rightOf(all) < std::ssize(all) && (isOfMemory || (isOfSlow && rightOf(all) > 0)))
-        found.clear();
-    if (!found.empty()) {
-        const double e = m_own.pair().equals.front().meeting.restitution;
-        std::erase_if(all,
-                      [&](const JudgedMeeting &one) { return one.hit->meeting.restitution != e; });
-    }
-    // What is said of masses holds where they differ.
-    const bool isOfMasses = !found.empty() && areEqualsRight();
-    Kinds hits = all;
-    if (!found.empty())
-        std::erase_if(hits, [&](const JudgedMeeting &one) {
-            return areAlike(one.hit->meeting) == isOfMasses;
-        });
-    const auto right = rightOf(hits);
-    if (right == std::ssize(hits))
-        return;
-    if (!found.empty())
-        limitToE(isOfMasses);
-    if (!found.empty() && right == 0)
-        judgeAllWrong(hits);
-    if (!found.empty() && (right == 0 || areMasses(hits)))
-        return;
-    const auto isOne = [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); };
-    if (isOfMasses && areRightOfEquals(all)
-        && (std::all_of(all.begin(), all.end(), isOne) || areOtherMasses(hits))) {
-        found.resize(1);
-        found.front().message += countOf(hits, std::nullopt);
-        return;
-    }
-    const bool isLaw = !found.empty() && isLawOf(hits);
-    const auto division = isLaw ? std::nullopt : divisionBy(all);
-    if (!found.empty() && !division && !isOfMasses) {
-        if (!isLaw && !found.front().isOfSome)
-            limit(hits);
-        found.front().message += countOf(hits, std::nullopt);
-        return;
-    }
-    LawDeviation said = kindsDeviation(all, division);
-    // Which of them act along the line of centres has been said of the contact.
-    const auto contacts = contactDeviations(m_own.pair(), m_right.pair(), m_ground);
-    if (found.empty() && said.topic == Topic::Direction
-        && std::any_of(contacts.begin(), contacts.end(),
-                       [](const LawDeviation &one) { return one.topic == Topic::Direction; }))
-        return;
-    found = {std::move(said)};
-}
-
-/// How many of \p hits come out right, and with which e, if others were tried, too; begins with a
-/// blank.
-QString HitKinds::countOf(const Kinds &hits, const std::optional<MeetingDivision> &division) const
-{
-    std::set<double> restitutions;
-    for (const JudgedMeeting &one : hits)
-        restitutions.insert(one.hit->meeting.restitution);
-    const Kinds every = kinds();
-    const bool isOfSome = std::any_of(every.begin(), every.end(), [&](const JudgedMeeting &one) {
-        return !restitutions.contains(one.hit->meeting.restitution);
-    });
-    QStringList told;
-    for (const double e : restitutions)
-        told.append(brief(e));
-    const QString of = told.join(QStringLiteral(", "));
-    const auto right = static_cast<int>(rightOf(hits));
-    const QString all = QString::number(hits.size());
-    const QString text =
-        division && isOfSome
-            ? ConditionText::tr("Of %1 hits tried with e = %2, %n came out right: %3.", nullptr,
-                                right)
-                  .arg(all, of, division->phrase)
-        : division ? ConditionText::tr("Of %1 hits tried, %n came out right: %2.", nullptr, right)
-                         .arg(all, division->phrase)
-        : isOfSome
-            ? ConditionText::tr("Of %1 hits tried with e = %2, %n came out right.", nullptr, right)
-                  .arg(all, of)
-            : ConditionText::tr("Of %1 hits tried, %n came out right.", nullptr, right).arg(all);
-    return QLatin1Char(' ') + text;
-}
-
-/// Where none of \p hits, not empty, comes out right: what was found of others need not be so in
-/// them.
-void HitKinds::judgeAllWrong(const Kinds &hits)
-{
-    const LawDeviation &found = m_said.deviations.front();
-    if (found.isOfSome)
-        return;
-    const bool isOfOne = found.suspect == Suspect::Answer && found.moment.circles.size() == 1;
-    if (isOfOne && !std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
-            return isOfOneCircle(*one.hit);
-        }))
-        limit(hits);
-    else if (MassExponents(m_own.pair()).radius && !areMasses(hits))
-        (void)areOtherMasses(hits);
-}
-
 /// A known answer that all of \p hits follow, and those of equal circles.
 std::optional<ResponseLaw> HitKinds::lawOf(const Kinds &hits) const
 {
@@ -335,53 +171,6 @@ std::optional<ResponseLaw> HitKinds::lawOf(const Kinds &hits) const
             return law;
     }
     return std::nullopt;
-}
-
-/// The first of \p all whose numbers show that it comes out wrong; if none does, the one that is
-/// most so.
-const PairHit &HitKinds::clearlyWrong(const Kinds &all) const
-{
-    constexpr double clear = 0.02; // of the closing speed
-    const PairHit *worst = nullptr;
-    double most = 0.0;
-    for (const JudgedMeeting &one : all) {
-        if (one.isRight)
-            continue;
-        const PairVelocities a = one.hit->leftParts();
-        const PairVelocities b = rightFor(one.hit->cameParts(), goodOf(*one.hit));
-        const double off = (std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2)
-                            + std::abs(a.across1 - b.across1) + std::abs(a.across2 - b.across2))
-                           / std::abs(one.hit->meeting.closing());
-        if (!worst || off > most) {
-            worst = one.hit;
-            most = off;
-        }
-        if (off > clear)
-            break;
-    }
-    return *worst;
-}
-
-LawDeviation HitKinds::kindsDeviation(const Kinds &all,
-                                      const std::optional<MeetingDivision> &division) const
-{
-    const PairHit &hit = clearlyWrong(all);
-    const auto law = lawOf(all);
-    QString meeting = describeMeeting(hit, m_ground, division);
-    if (m_ground.pair.restitutions.size() > 1)
-        meeting += QStringLiteral(", e = ") + brief(hit.meeting.restitution);
-    const QString seen = ConditionText::tr("This one came out wrong: %1.").arg(meeting)
-                         + QLatin1Char(' ') + describeHit(hit, goodOf(hit));
-    if (law)
-        return responseDeviation(law->headline, seen + QLatin1Char(' ') + law->body, hit);
-    LawDeviation said = responseDeviation(
-        rightOf(all) == 0 ? ConditionText::tr("No hit that was tried comes out right")
-                          : ConditionText::tr("Some hits of the two circles come out wrong"),
-        seen + countOf(all, division), hit, Suspect::Formula);
-    said.isConditional = true;
-    if (division && division->kind == MeetingDivision::Kind::Side)
-        said.topic = Topic::Direction;
-    return said;
 }
 
 } // namespace cradle

@@ -139,7 +139,7 @@ std::optional<LawDeviation> slowDeviation(const MeasuredPair &own, const Measure
                      inUnits(hit, rightFor(hit.cameParts(), *right.slow))))
         return std::nullopt;
     const double closing = own.equals.front().meeting.closing();
-    return responseDeviation(
+    LawDeviation said = responseDeviation(
         ResponseText::tr("Circles that meet slowly are answered in another way"),
         ResponseText::tr("With e = %1: ").arg(brief(hit.meeting.restitution))
             + describeHit(hit, *right.slow) + QLatin1Char(' ')
@@ -147,6 +147,8 @@ std::optional<LawDeviation> slowDeviation(const MeasuredPair &own, const Measure
                                "the same for every speed.")
                   .arg(brief(hit.slowness * closing)),
         hit, Suspect::Formula);
+    said.topic = Topic::Slowness;
+    return said;
 }
 
 } // namespace cradle

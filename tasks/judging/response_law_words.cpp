@@ -208,16 +208,18 @@ private:
             return every(
                 [&](const EqualHit &h) { return near(h.hit.leftParts().*part, h.right.*part); });
         };
-        if (along)
-            add(keeps(&PairVelocities::across1)
-                    ? ResponseText::tr("Circle %1 does not keep its part across in a hit").arg(2)
-                : keeps(&PairVelocities::across2)
-                    ? ResponseText::tr("Circle %1 does not keep its part across in a hit").arg(1)
-                    : ResponseText::tr("The parts across the line of centres are changed"),
+        if (along) {
+            const bool isFirstKept = keeps(&PairVelocities::across1);
+            const bool isOfBoth = !isFirstKept && !keeps(&PairVelocities::across2);
+            add(isOfBoth ? ResponseText::tr("The parts across the line of centres are changed")
+                         : ResponseText::tr("Circle %1 does not keep its part across in a hit")
+                               .arg(isFirstKept ? 2 : 1),
                 describeEquals(hit, right) + QLatin1Char(' ')
                     + ResponseText::tr("A smooth circle pushes along the line of centres only."),
                 hit);
-        else if (ratio)
+            if (isOfBoth)
+                m_reading.said->topic = Topic::Across;
+        } else if (ratio)
             return; // massDeviations() says so
         else if (const std::vector<int> wrong = wrongIn(hits); !momentum && wrong.size() == 1)
             add(m_own.radii.empty() && m_own.densities.empty()
