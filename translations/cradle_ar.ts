@@ -2127,6 +2127,18 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>الدوائر ⁧%1⁩</translation>
     </message>
     <message>
+        <source>The velocity of %who changes although no force acts</source>
+        <translation>تتغيّر سرعة %who مع أنّ أيّ قوّة لا تؤثّر</translation>
+    </message>
+    <message>
+        <source>Without a force a velocity stays as it is: look for the line that changes it in free flight.</source>
+        <translation>من دون قوّة تبقى السرعة على حالها: ابحث عن السطر الذي يغيّرها في الطيران الحرّ.</translation>
+    </message>
+    <message>
+        <source>The same fault shows in this, too: %1.</source>
+        <translation>ويظهر الخطأ نفسه في هذا أيضًا: ⁨%1⁩.</translation>
+    </message>
+    <message>
         <source>A number stands for gravity in the motion of %who</source>
         <translation>يقوم عدد مقام الجاذبية في حركة %who</translation>
     </message>
@@ -7986,8 +7998,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>في المشهد: ⁨%1⁩</translation>
     </message>
     <message>
-        <source>moved there by %1:%2</source>
-        <translation>حرّكها إلى هناك ⁨%1⁩:⁨%2⁩</translation>
+        <source>last assigned in that step by %1:%2</source>
+        <translation>آخر إسناد في تلك الخطوة من ⁨%1⁩:⁨%2⁩</translation>
     </message>
     <message>
         <source>%1 passed</source>

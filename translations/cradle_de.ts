@@ -2163,6 +2163,18 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Sieh dir die Faktoren in der Zeile an, die den Kreis bewegt.</translation>
     </message>
     <message>
+        <source>The velocity of %who changes although no force acts</source>
+        <translation>Die Geschwindigkeit ändert sich, obwohl keine Kraft wirkt: %who</translation>
+    </message>
+    <message>
+        <source>Without a force a velocity stays as it is: look for the line that changes it in free flight.</source>
+        <translation>Ohne Kraft bleibt eine Geschwindigkeit, wie sie ist: Suche die Zeile, die sie im freien Flug ändert.</translation>
+    </message>
+    <message>
+        <source>The same fault shows in this, too: %1.</source>
+        <translation>Derselbe Fehler zeigt sich auch hierin: %1.</translation>
+    </message>
+    <message>
         <source>A number stands for gravity in the motion of %who</source>
         <translation>Für %who steht in der Bewegung eine Zahl statt der Schwerkraft</translation>
     </message>
@@ -7898,8 +7910,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Commit-Nachricht: %1</translation>
     </message>
     <message>
-        <source>moved there by %1:%2</source>
-        <translation>dorthin bewegt von %1:%2</translation>
+        <source>last assigned in that step by %1:%2</source>
+        <translation>in diesem Schritt zuletzt zugewiesen von %1:%2</translation>
     </message>
     <message>
         <source>%1 did not pass: the program stopped</source>

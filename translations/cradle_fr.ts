@@ -2103,6 +2103,18 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>les cercles %1</translation>
     </message>
     <message>
+        <source>The velocity of %who changes although no force acts</source>
+        <translation>La vitesse change alors qu’aucune force n’agit : %who</translation>
+    </message>
+    <message>
+        <source>Without a force a velocity stays as it is: look for the line that changes it in free flight.</source>
+        <translation>Sans force, une vitesse reste telle quelle : cherchez la ligne qui la modifie en vol libre.</translation>
+    </message>
+    <message>
+        <source>The same fault shows in this, too: %1.</source>
+        <translation>La même faute se voit aussi en ceci : %1.</translation>
+    </message>
+    <message>
         <source>A number stands for gravity in the motion of %who</source>
         <translation>Un nombre tient lieu de pesanteur dans le mouvement, pour %who</translation>
     </message>
@@ -7906,8 +7918,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>dans la scène&#xa0;: %1</translation>
     </message>
     <message>
-        <source>moved there by %1:%2</source>
-        <translation>déplacé là par %1:%2</translation>
+        <source>last assigned in that step by %1:%2</source>
+        <translation>dernière affectation de ce pas : %1:%2</translation>
     </message>
     <message>
         <source>%1 passed</source>

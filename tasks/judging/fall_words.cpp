@@ -115,6 +115,18 @@ private:
         return isAlike(own(g) / length(wanted(g)), own(other) / length(wanted(other)), 10 * wrong);
     }
 
+    /// Of what is the same whatever gravity is. In a step without it nobody need have heard of it.
+    static std::pair<QString, QString> fixedWords(Vec2 g)
+    {
+        if (g == Vec2{})
+            return {FlightText::tr("The velocity of %who changes although no force acts"),
+                    FlightText::tr("Without a force a velocity stays as it is: look for the line "
+                                   "that changes it in free flight.")};
+        return {FlightText::tr("A number stands for gravity in the motion of %who"),
+                FlightText::tr("The name `gravity` holds the value of the scene; look where your "
+                               "program has one of its own.")};
+    }
+
     /// What is no share of gravity.
     [[nodiscard]] FlightSaid besides(Vec2 g) const
     {
@@ -123,15 +135,15 @@ private:
             FlightText::tr(
                 "Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².")
                 .arg(brief(g), brief(own(g)), brief(own(other)), brief(other));
-        if (isAlike(own(g), own(other), wrong))
-            return {FlightText::tr("A number stands for gravity in the motion of %who"),
+        if (isAlike(own(g), own(other), wrong)) {
+            const auto [headline, where] = fixedWords(g);
+            return {headline,
                     FlightText::tr("The acceleration is %1 m/s², under gravity %2 and under %3 "
                                    "m/s² alike.")
                             .arg(brief(own(g)), brief(g), brief(other))
-                        + QLatin1Char(' ')
-                        + FlightText::tr("The name `gravity` holds the value of the scene; look "
-                                         "where your program has one of its own."),
+                        + QLatin1Char(' ') + where,
                     moment(false, g)};
+        }
         const Vec2 more = own(g) - wanted(g);
         if (isAlike(more, own(other) - wanted(other), wrong))
             return {FlightText::tr("Something besides gravity accelerates %who"),

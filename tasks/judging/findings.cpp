@@ -21,6 +21,10 @@ namespace cradle {
 
 namespace {
 
+struct JudgeText {
+    Q_DECLARE_TR_FUNCTIONS(Findings)
+};
+
 /// Measures, compares and finds words for one submission.
 class Judge
 {
@@ -282,6 +286,11 @@ private:
         for (const LawDeviation &deviation : deviations) {
             if (!m_lines->isMendedBefore(deviation, m_findings))
                 add(deviation, {}, deviation.message);
+            else if (&deviation == &deviations[1] && aspect == Aspect::Motion)
+                m_findings.back().message +=
+                    QLatin1Char(' ')
+                    + JudgeText::tr("The same fault shows in this, too: %1.")
+                          .arg(deviation.message.section(QLatin1Char('\n'), 0, 0));
         }
     }
 

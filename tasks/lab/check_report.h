@@ -24,7 +24,7 @@ struct CheckOutcome {
     QString variant{}; ///< the scene where it first went wrong: "preset" is the student's own
     std::optional<Preset> scene{}; ///< that scene, to be shown
     bool pinned = false;           ///< that scene keeps its values whatever a program sets
-    int line = 0;              ///< of the program: what moved the circle in that step; 0 if unknown
+    int line = 0;              ///< of the program: what assigned last in that step; 0 if unknown
     bool checkStopped = false; ///< the check itself has an error: nothing is said of the work
     double points = 1.0;       ///< what passing it is worth
     bool question = false;     ///< it judges an answer, not the work

@@ -168,8 +168,9 @@ QStringList observationsOf(const CheckReport &report, const CheckOutcome &check,
     if (!check.variant.isEmpty() && check.variant != QLatin1String("preset"))
         findings.append(ReportText::tr("in the scene: %1").arg(check.variant));
     if (check.line > 0)
-        findings.append(
-            ReportText::tr("moved there by %1:%2").arg(nameOf(program)).arg(check.line));
+        findings.append(ReportText::tr("last assigned in that step by %1:%2")
+                            .arg(nameOf(program))
+                            .arg(check.line));
     return findings;
 }
 
