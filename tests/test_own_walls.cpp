@@ -16,6 +16,7 @@ class TestOwnWalls : public LabTest
 private slots:
     void initTestCase() { read(shippedLab); }
     void copyOfEIsTold();
+    void whatIsNoCopyIsNotCalledOne();
     void rightWallsAreNotBlamed();
 
 private:
@@ -64,6 +65,28 @@ void TestOwnWalls::copyOfEIsTold()
             QCOMPARE(n[4], 0.75);
         }
     }
+}
+
+/// Under gravity, and in other scenes with it, a number stands for e.
+void TestOwnWalls::whatIsNoCopyIsNotCalledOne()
+{
+    const LawProgram pieces{
+        .walls = wallsOf(wallWays[1], "c.radius", "(gravity.y < 0 and 0.5 or restitution)"),
+        .hit = hitOf(hitWays[0], {.e = QStringLiteral("restitution")})};
+    const CheckReport report =
+        reportOf(QStringLiteral("restitution = 0.75 "), pieces, structures[0]);
+    QCOMPARE(bodyIn(report), QString());
+    QCOMPARE(report.findings.size(), std::size_t{1});
+    const auto n = numbersIn(
+        report.findings.front().message,
+        "In your own scene walls give another share of the speed back than e\n\nCircle # came to "
+        "the * with # m/s and left it with # m/s, which is about # times as much, and "
+        "`restitution` is #. Of # fast hits in that run, # came out right.");
+    QVERIFY2(n.size() == 7, qPrintable(report.findings.front().message));
+    QVERIFY(std::abs(n[3] - 0.5) < 0.02);
+    QCOMPARE(n[4], 0.75);
+    QVERIFY(n[5] > 0.0);
+    QCOMPARE(n[6], 0.0);
 }
 
 void TestOwnWalls::rightWallsAreNotBlamed()

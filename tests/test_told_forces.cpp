@@ -31,6 +31,11 @@ private slots:
     void forceByVelocityOrPlaceIsTold();
     void aSpeedThatIsCutIsTold();
     void aConditionOnTheVelocityIsTold();
+    void aConditionThatOneGravityShowsIsTold();
+    void forcesOfTwoCirclesAreToldApart();
+    void oneThatIsThrownFromRestIsTold();
+    void aVelocityThatGrowsWithoutGravityIsTold();
+    void aTimestepThatFallsRightlyIsTold();
 };
 
 void TestToldForces::fallOfAStepIsTold_data()
@@ -297,6 +302,78 @@ void TestToldForces::aConditionOnTheVelocityIsTold()
     QVERIFY(isNear(Vec2{n[9], n[10]}, n[7] > 0.6 ? right : Vec2{}));
     QVERIFY(isNear(Vec2{n[11], n[12]}, right) && isNear(Vec2{n[13], n[14]}, right));
     QVERIFY((n[2] > 0.6) != (n[7] > 0.6));
+}
+
+/// Who is slow is held, which a step of a weak gravity does not leave again.
+void TestToldForces::aConditionThatOneGravityShowsIsTold()
+{
+    const auto n = numbersIn(
+        body("L42T3", way,
+             QStringLiteral("gravity * h - (math.abs(c.velocity.y) < 0.1 and "
+                            "vec(0, c.velocity.y) or vec(0, 0))"),
+             "The acceleration of circle 1 depends wrongly on the velocity"),
+        "Under gravity (#, #) m/s² and with the velocity (#, #) m/s it changes by (#, #) m/s in a "
+        "step of 1/# s, with (#, #) m/s by (#, #) m/s; (#, #) and (#, #) m/s are right.");
+    QCOMPARE(n.size(), std::size_t{15});
+    QVERIFY(std::abs(n[3]) > 0.1 && std::abs(n[8]) < 0.1);
+    QVERIFY(isNear(n[5], n[1] / n[6]));
+    QVERIFY(isNear(n[14], n[1] / n[6]));
+    QVERIFY(std::abs(n[10]) < 1e-9);
+}
+
+void TestToldForces::forcesOfTwoCirclesAreToldApart()
+{
+    const QString wind = QStringLiteral("(gravity + vec(c.index == 1 and 1 or -1, 0)) * h");
+    for (const auto &[circle, more] : {std::pair(1, 1.0), std::pair(2, -1.0)}) {
+        const QString headline =
+            QStringLiteral("Something besides gravity accelerates circle %1").arg(circle);
+        const auto n = numbersIn(body("L42T4", way, wind, qPrintable(headline)),
+                                 "Each time that is (#, #) m/s² more than gravity gives.");
+        QCOMPARE(n, (std::vector<double>{more, 0.0}));
+    }
+    QVERIFY(!body("L42T4", way, QStringLiteral("(gravity + vec(1, 0)) * h"),
+                  "Something besides gravity accelerates both circles")
+                 .isEmpty());
+}
+
+/// The speed is that of a fall from 2 m, wherever it is: at rest nothing is there to begin with.
+void TestToldForces::oneThatIsThrownFromRestIsTold()
+{
+    const LawProgram program{.move =
+                                 QStringLiteral("c.position = c.position + c.velocity * h "
+                                                "c.velocity = c.velocity + gravity * h "
+                                                "c.velocity = c.velocity:normalized() "
+                                                "* math.sqrt(2 * 9.81 * (2 - c.position.y) + 4)")};
+    const auto n = numbersIn(
+        bodyOfProgram("L42T3", written(program, structures[0]),
+                      "The velocity of circle 1 changes far from everything"),
+        "Let go at rest, it has (#, #) m/s one step of 1/# s later, far from every wall and every "
+        "other circle; gravity gives it (#, #) m/s in a step.");
+    QCOMPARE(n.size(), std::size_t{5});
+    QVERIFY(n[1] < -1.0);
+    QVERIFY(isNear(n[4], -9.81 / n[2]));
+}
+
+void TestToldForces::aVelocityThatGrowsWithoutGravityIsTold()
+{
+    const auto n = numbersIn(body("L42T1", way, QStringLiteral("vec(2, 0) * h"),
+                                  "The velocity of circle 1 changes although no force acts"),
+                             "The acceleration is (#, #) m/s², under gravity (#, #)");
+    QCOMPARE(n, (std::vector<double>{2.0, 0.0, 0.0, 0.0}));
+}
+
+/// At most a sixtieth of a second.
+void TestToldForces::aTimestepThatFallsRightlyIsTold()
+{
+    const auto n = numbersIn(
+        body("L42T3", way, QStringLiteral("gravity * math.min(h, 1 / 60)"),
+             "How gravity acts on circle 1 depends on the timestep"),
+        "Under gravity (#, #) m/s² the velocity changes by (#, #) m/s in a step of 1/# s; it "
+        "should change by (#, #) m/s. In one of 1/# s it changes as it should.");
+    QCOMPARE(n.size(), std::size_t{8});
+    QCOMPARE(n[4], 30.0);
+    QVERIFY(isNear(n[3], -9.81 / 60) && isNear(n[6], -9.81 / 30));
+    QVERIFY(n[7] >= 60.0);
 }
 
 QTEST_GUILESS_MAIN(TestToldForces)

@@ -238,7 +238,7 @@ void TestToldWalls::otherLawsAtOtherWallsAreToldApart()
 
 void TestToldWalls::oneSpeedIsNoneOfTheirOwn()
 {
-    const QString walls = wallsOf(wallWays[1], "c.radius", "(math.abs(v) > 2 and 0.5 or 1)");
+    const QString walls = wallsOf(wallWays[1], "c.radius", "0.5");
     QVERIFY(!bodyOfWalls(walls,
                          text("Hits at the walls give both circles 0.5 times the speed back"),
                          "L42T12")

@@ -129,7 +129,7 @@ void TestWallLaw::faultIsNamed_data()
          {text("Hits at the walls turn both circles round too late")});
     // Less than the fast ones go in a step: only a slow one shows it.
     rows("3 mm early", "c.radius + 0.003", "restitution", "1",
-         {text("Hits at the right wall turn both circles round too early")});
+         {text("Slow hits at the right wall turn both circles round too early")});
     rows("e squared", "c.radius", "restitution ^ 2", "1", {twice});
     rows("root of e", "c.radius", "math.sqrt(restitution)", "1",
          {text("At the walls the root of e acts on both circles")});

@@ -3366,10 +3366,6 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>قُذفت الدائرة ⁨%3⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ فمضت إلى ما بعده. انظر ما الذي يسأله برنامجك عنه وهل يكون الجواب نعم أبدًا.</translation>
     </message>
     <message>
-        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
-        <translation>قُذفت الدائرة ⁨%4⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ من ⁦%3 m⁩ فمضت إلى ما بعده؛ وبسرعة ⁦%5 m/s⁩ من ⁦%6 m⁩ تُردّ. انظر ما الذي يسأله برنامجك فوق ذلك: يكفي أن تكون الحافة وراء الجدار وأن تتحرك الدائرة نحوه.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls turn %who round too early</source>
         <translation>التصادمات عند %walls تردّ %who قبل الأوان</translation>
     </message>
@@ -4769,10 +4765,6 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>في مشهدك لا تستعمل الجدران e الذي له</translation>
     </message>
     <message>
-        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وغادرته بسرعة ⁦%4 m/s⁩، أي نحو ⁦%5⁩ مرة من ذلك، و⁦`restitution`⁩ هو ⁨%6⁩. المشاهد الأخرى تخرج صحيحة. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
-    </message>
-    <message>
         <source>Each circle goes on with the velocity of the other</source>
         <translation>تواصل كل دائرة سيرها بسرعة الأخرى</translation>
     </message>
@@ -5029,6 +5021,116 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>those where %1, no others</source>
         <translation>تلك التي فيها %1، دون غيرها</translation>
+    </message>
+    <message>
+        <source>In one of %1 s it changes as it should. Look at which Δt the line that changes the velocity takes.</source>
+        <translation>وفي خطوة مدتها ⁦%1 s⁩ تتغير كما يجب. انظر أي ⁦Δt⁩ يأخذ السطر الذي يغيّر السرعة.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it has %1 m/s one step of %2 s later, far from every wall and every other circle; gravity gives it %3 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>إذا تُركت ساكنةً كانت سرعتها ⁦%1 m/s⁩ بعد خطوة مدتها ⁦%2 s⁩، بعيدةً عن كل جدار وكل دائرة أخرى؛ والجاذبية تعطيها ⁦%3 m/s⁩ في الخطوة. انظر أي الأسطر تغيّر سرعتها هناك، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6.</source>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وغادرته بسرعة ⁦%4 m/s⁩، أي نحو ⁦%5⁩ مرة من ذلك، و⁦`restitution`⁩ هو ⁨%6⁩.</translation>
+    </message>
+    <message>
+        <source>Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>المشاهد الأخرى تخرج صحيحة. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
+    </message>
+    <message>
+        <source>In your own scene walls give another share of the speed back than e</source>
+        <translation>في مشهدك تعيد جدران حصةً من السرعة غير e</translation>
+    </message>
+    <message>
+        <source>Of %1 fast hits in that run, %2 came out right. Look at what the new velocity is worked out from, and at what is asked before.</source>
+        <translation>من بين ⁨%1⁩ تصادمات سريعة في ذلك التشغيل، جاء صحيحًا: ⁨%2⁩. انظر ممّ تُحسب السرعة الجديدة، وما الذي يُسأل قبلها.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n were answered.</source>
+        <translation>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، لم يُردّ على أي محاولة.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على واحدة.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على اثنتين.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على %n.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على %n.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على %n.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n were answered: %2.</source>
+        <translation>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، لم يُردّ على أي محاولة: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على واحدة: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على اثنتين: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على %n: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على %n: %2.</numerusform>
+            <numerusform>من المحاولات، وعددها ⁨%1⁩، مبكرًا ومتأخرًا، هنا وهناك، رُدّ على %n: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of %1 hits tried there, %2 came out right. Look at what your program asks there.</source>
+        <translation>من بين ⁨%1⁩ تصادمات مجرّبة هناك، جاء صحيحًا: ⁨%2⁩. انظر ما الذي يسأل عنه برنامجك هناك.</translation>
+    </message>
+    <message>
+        <source>This one was answered: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.</source>
+        <translation>وهذا رُدّ عليه: الدائرة ⁨%1⁩ عند ⁦%2 s⁩، عند ⁨%3⁩ في ⁦%4 m⁩ بسرعة ⁦%5 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
+        <translation>انظر ما الذي يسأله برنامجك فوق ذلك: يكفي أن تكون الحافة وراء الجدار وأن تتحرك الدائرة نحوه.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s and e = %3, circle %4 went on past it; with %5 m/s and e = %6 it did not.</source>
+        <translation>قُذفت الدائرة ⁨%4⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ مع ⁦e = %3⁩ فمضت إلى ما بعده؛ وبسرعة ⁦%5 m/s⁩ مع ⁦e = %6⁩ لم تمضِ.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round.</source>
+        <translation>قُذفت الدائرة ⁨%4⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ من ⁦%3 m⁩ فمضت إلى ما بعده؛ وبسرعة ⁦%5 m/s⁩ من ⁦%6 m⁩ تُردّ.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is held there.</source>
+        <translation>قُذفت الدائرة ⁨%4⁩ نحو ⁨%1⁩ بسرعة ⁦%2 m/s⁩ من ⁦%3 m⁩ فمضت إلى ما بعده؛ وبسرعة ⁦%5 m/s⁩ من ⁦%6 m⁩ تُمسَك هناك.</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls turn %who round too early</source>
+        <translation>التصادمات البطيئة عند %walls تردّ %who قبل الأوان</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and turned when its centre was between %4 and %5 m from the wall; its radius is %6 m. With %7 m/s it turned at its rim, as far as a step of %8 m shows.</source>
+        <translation>جاءت الدائرة ⁨%1⁩ إلى ⁨%2⁩ بسرعة ⁦%3 m/s⁩ وارتدّت حين كان مركزها بين ⁨%4⁩ و⁦%5 m⁩ من الجدار؛ ونصف قطرها ⁦%6 m⁩. وبسرعة ⁦%7 m/s⁩ ارتدّت عند حافتها، بقدر ما تُظهره خطوة طولها ⁦%8 m⁩.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who one and the same speed</source>
+        <translation>التصادمات عند %walls تعطي %who سرعة واحدة بعينها</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>من كل سرعة جُرّبت تغادر بسرعة ⁦%1 m/s⁩: احسب السرعة الجديدة من القديمة.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round a step too late</source>
+        <translation>التصادمات عند %walls تردّ %who متأخرة خطوة</translation>
+    </message>
+    <message>
+        <source>At the %1 the rim of circle %2 was %3 m past the wall before the step in which it was turned round, and %4 m after it. Turn it in the step in which its rim comes past the wall.</source>
+        <translation>عند ⁨%1⁩ كانت حافة الدائرة ⁨%2⁩ وراء الجدار بمقدار ⁦%3 m⁩ قبل الخطوة التي رُدّت فيها، وبمقدار ⁦%4 m⁩ بعدها. رُدّها في الخطوة التي تتجاوز فيها حافتها الجدار.</translation>
+    </message>
+    <message>
+        <source>In a corner the velocity of %who is lost</source>
+        <translation>في الركن تضيع سرعة %who</translation>
+    </message>
+    <message>
+        <source>Circle %3 came with %1 m/s and has %2 m/s after it. Both walls are hit in the same step, and each must turn its own part.</source>
+        <translation>جاءت الدائرة ⁨%3⁩ بسرعة ⁦%1 m/s⁩ وسرعتها بعد ذلك ⁦%2 m/s⁩. يُصاب الجداران في الخطوة نفسها، وعلى كل منهما أن يعكس مركّبته.</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity stayed as it was, and that of the other changed, far from it and from every wall. A wall turns the circle that touches it, and no other.</source>
+        <translation>حين كانت الدائرة ⁨%1⁩ على بعد ⁦%2 m⁩ من ⁨%3⁩ بقيت سرعتها كما هي، وتغيّرت سرعة الأخرى البعيدة عنها وعن كل جدار. الجدار يردّ الدائرة التي تلمسه ولا يردّ غيرها.</translation>
+    </message>
+    <message>
+        <source>Beside a wall the velocity of another circle changes</source>
+        <translation>بجانب جدار تتغير سرعة دائرة أخرى</translation>
     </message>
 </context>
 <context>

@@ -3342,10 +3342,6 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Mit %2 m/s zu %1 geworfen, ging Kreis %3 darüber hinaus. Sieh dir an, was dein Programm dafür fragt und ob die Antwort je Ja ist.</translation>
     </message>
     <message>
-        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
-        <translation>Mit %2 m/s von %3 m aus zu %1 geworfen, ging Kreis %4 darüber hinaus; mit %5 m/s von %6 m aus kehrt er um. Sieh dir an, was dein Programm außerdem fragt: Es zählt nur, ob der Rand jenseits der Wand ist und der Kreis sich in sie hinein bewegt.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls turn %who round too early</source>
         <translation>Stöße an %walls lassen %who zu früh umkehren</translation>
     </message>
@@ -4709,10 +4705,6 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>In deiner eigenen Szene benutzen die Wände nicht das e, das sie hat</translation>
     </message>
     <message>
-        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Kreis %1 kam mit %3 m/s an %2 an und ging mit %4 m/s, das ist etwa das %5-Fache, und `restitution` ist %6. Andere Szenen gehen richtig aus. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
-    </message>
-    <message>
         <source>Each circle goes on with the velocity of the other</source>
         <translation>Jeder Kreis geht mit der Geschwindigkeit des anderen weiter</translation>
     </message>
@@ -4961,6 +4953,108 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>those where %1, no others</source>
         <translation>die, bei denen %1, keine anderen</translation>
+    </message>
+    <message>
+        <source>In one of %1 s it changes as it should. Look at which Δt the line that changes the velocity takes.</source>
+        <translation>In einem von %1 s ändert sie sich, wie sie soll. Sieh nach, welches Δt die Zeile nimmt, die die Geschwindigkeit ändert.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it has %1 m/s one step of %2 s later, far from every wall and every other circle; gravity gives it %3 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>In Ruhe losgelassen, hat er einen Schritt von %2 s später %1 m/s, fern von jeder Wand und jedem anderen Kreis; die Schwerkraft gibt ihm %3 m/s in einem Schritt. Sieh nach, welche Zeilen dort seine Geschwindigkeit ändern und was vor ihnen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6.</source>
+        <translation>Kreis %1 kam mit %3 m/s an %2 an und ging mit %4 m/s, das ist etwa das %5-Fache, und `restitution` ist %6.</translation>
+    </message>
+    <message>
+        <source>Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Andere Szenen gehen richtig aus. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+    </message>
+    <message>
+        <source>In your own scene walls give another share of the speed back than e</source>
+        <translation>In deiner eigenen Szene kommt von Wänden ein anderer Teil des Tempos zurück als e</translation>
+    </message>
+    <message>
+        <source>Of %1 fast hits in that run, %2 came out right. Look at what the new velocity is worked out from, and at what is asked before.</source>
+        <translation>Von %1 schnellen Stößen in diesem Lauf gingen richtig aus: %2. Sieh dir an, woraus die neue Geschwindigkeit berechnet wird und was vorher gefragt wird.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n were answered.</source>
+        <translation>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, wurde %n beantwortet.</numerusform>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, wurden %n beantwortet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n were answered: %2.</source>
+        <translation>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, wurde %n beantwortet: %2.</numerusform>
+            <numerusform>Von %1 Versuchen, früh und spät, hier und dort, wurden %n beantwortet: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of %1 hits tried there, %2 came out right. Look at what your program asks there.</source>
+        <translation>Von %1 dort versuchten Stößen gingen richtig aus: %2. Sieh dir an, was dein Programm dort fragt.</translation>
+    </message>
+    <message>
+        <source>This one was answered: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.</source>
+        <translation>Dieser wurde beantwortet: Kreis %1 nach %2 s, an %3 bei %4 m mit %5 m/s.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
+        <translation>Sieh dir an, was dein Programm außerdem fragt: Es zählt nur, ob der Rand jenseits der Wand ist und der Kreis sich in sie hinein bewegt.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s and e = %3, circle %4 went on past it; with %5 m/s and e = %6 it did not.</source>
+        <translation>Mit %2 m/s und e = %3 zu %1 geworfen, ging Kreis %4 darüber hinaus; mit %5 m/s und e = %6 nicht.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round.</source>
+        <translation>Mit %2 m/s von %3 m aus zu %1 geworfen, ging Kreis %4 darüber hinaus; mit %5 m/s von %6 m aus kehrt er um.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is held there.</source>
+        <translation>Mit %2 m/s von %3 m aus zu %1 geworfen, ging Kreis %4 darüber hinaus; mit %5 m/s von %6 m aus wird er dort festgehalten.</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls turn %who round too early</source>
+        <translation>Langsame Stöße an %walls lassen %who zu früh umkehren</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and turned when its centre was between %4 and %5 m from the wall; its radius is %6 m. With %7 m/s it turned at its rim, as far as a step of %8 m shows.</source>
+        <translation>Kreis %1 kam mit %3 m/s an %2 an und kehrte um, als sein Mittelpunkt zwischen %4 und %5 m von der Wand entfernt war; sein Radius ist %6 m. Mit %7 m/s kehrte er am Rand um, soweit ein Schritt von %8 m das zeigt.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who one and the same speed</source>
+        <translation>Stöße an %walls geben für %who immer dasselbe Tempo</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Nach jedem versuchten Tempo geht er mit %1 m/s weg: Rechne die neue Geschwindigkeit aus der alten aus.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round a step too late</source>
+        <translation>Stöße an %walls lassen %who einen Schritt zu spät umkehren</translation>
+    </message>
+    <message>
+        <source>At the %1 the rim of circle %2 was %3 m past the wall before the step in which it was turned round, and %4 m after it. Turn it in the step in which its rim comes past the wall.</source>
+        <translation>An %1 war der Rand von Kreis %2 vor dem Schritt, in dem er umkehrte, %3 m jenseits der Wand, und nach ihm %4 m. Lass ihn in dem Schritt umkehren, in dem sein Rand über die Wand hinauskommt.</translation>
+    </message>
+    <message>
+        <source>In a corner the velocity of %who is lost</source>
+        <translation>In einer Ecke geht die Geschwindigkeit verloren (%who)</translation>
+    </message>
+    <message>
+        <source>Circle %3 came with %1 m/s and has %2 m/s after it. Both walls are hit in the same step, and each must turn its own part.</source>
+        <translation>Kreis %3 kam mit %1 m/s an und hat danach %2 m/s. Beide Wände werden im selben Schritt getroffen, und jede muss ihren Anteil umkehren.</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity stayed as it was, and that of the other changed, far from it and from every wall. A wall turns the circle that touches it, and no other.</source>
+        <translation>Als Kreis %1 noch %2 m von %3 entfernt war, blieb seine Geschwindigkeit, wie sie war, und die des anderen änderte sich, der weit von ihm und von jeder Wand war. Eine Wand lässt den Kreis umkehren, der sie berührt, und keinen anderen.</translation>
+    </message>
+    <message>
+        <source>Beside a wall the velocity of another circle changes</source>
+        <translation>Neben einer Wand ändert sich die Geschwindigkeit eines anderen Kreises</translation>
     </message>
 </context>
 <context>

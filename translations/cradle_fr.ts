@@ -3342,10 +3342,6 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Lancé vers %1 à %2 m/s, le cercle %3 a continué au-delà. Regardez ce que votre programme demande pour elle, et si la réponse est parfois oui.</translation>
     </message>
     <message>
-        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round. Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
-        <translation>Lancé vers %1 à %2 m/s depuis %3 m, le cercle %4 a continué au-delà&#xa0;; à %5 m/s depuis %6 m, il est renvoyé. Regardez ce que votre programme demande en plus&#xa0;: il suffit que le bord soit au-delà de la paroi et que le cercle aille vers elle.</translation>
-    </message>
-    <message>
         <source>Hits at the %walls turn %who round too early</source>
         <translation>Les chocs contre %walls renvoient %who trop tôt</translation>
     </message>
@@ -4709,10 +4705,6 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Dans votre propre scène, les parois n&apos;utilisent pas le e qu&apos;elle a</translation>
     </message>
     <message>
-        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6. Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et en est reparti à %4 m/s, soit environ %5 fois autant, et `restitution` vaut %6. D&apos;autres scènes donnent le bon résultat. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
-    </message>
-    <message>
         <source>Each circle goes on with the velocity of the other</source>
         <translation>Chaque cercle continue avec la vitesse de l&apos;autre</translation>
     </message>
@@ -4961,6 +4953,108 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>those where %1, no others</source>
         <translation>ceux où %1, pas d&apos;autres</translation>
+    </message>
+    <message>
+        <source>In one of %1 s it changes as it should. Look at which Δt the line that changes the velocity takes.</source>
+        <translation>Dans un pas de %1 s, elle change comme elle le doit. Regardez quel Δt prend la ligne qui change la vitesse.</translation>
+    </message>
+    <message>
+        <source>Let go at rest, it has %1 m/s one step of %2 s later, far from every wall and every other circle; gravity gives it %3 m/s in a step. Look at which lines change its velocity there, and at what is asked before them.</source>
+        <translation>Lâché au repos, il a %1 m/s un pas de %2 s plus tard, loin de toute paroi et de tout autre cercle&#xa0;; la pesanteur lui donne %3 m/s par pas. Regardez quelles lignes y changent sa vitesse, et ce qui est demandé avant elles.</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is about %5 times as much, and `restitution` is %6.</source>
+        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et en est reparti à %4 m/s, soit environ %5 fois autant, et `restitution` vaut %6.</translation>
+    </message>
+    <message>
+        <source>Other scenes come out right. A copy of e that is made before e is set keeps the old value.</source>
+        <translation>D&apos;autres scènes donnent le bon résultat. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
+    </message>
+    <message>
+        <source>In your own scene walls give another share of the speed back than e</source>
+        <translation>Dans votre propre scène, des parois rendent une autre part de la vitesse que e</translation>
+    </message>
+    <message>
+        <source>Of %1 fast hits in that run, %2 came out right. Look at what the new velocity is worked out from, and at what is asked before.</source>
+        <translation>Sur %1 chocs rapides de cette simulation, se sont bien passés&#xa0;: %2. Regardez à partir de quoi la nouvelle vitesse est calculée, et ce qui est demandé avant.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n were answered.</source>
+        <translation>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n a reçu une réponse.</numerusform>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n ont reçu une réponse.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 tries, early and late, here and there, %n were answered: %2.</source>
+        <translation>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n a reçu une réponse&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 essais, tôt et tard, ici et là, %n ont reçu une réponse&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Of %1 hits tried there, %2 came out right. Look at what your program asks there.</source>
+        <translation>Sur %1 chocs essayés là, se sont bien passés&#xa0;: %2. Regardez ce que votre programme demande à cet endroit.</translation>
+    </message>
+    <message>
+        <source>This one was answered: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.</source>
+        <translation>Celui-ci a reçu une réponse&#xa0;: le cercle %1 à %2 s, contre %3 à %4 m, à %5 m/s.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks besides whether the rim is past the wall and the circle moves into it.</source>
+        <translation>Regardez ce que votre programme demande en plus&#xa0;: il suffit que le bord soit au-delà de la paroi et que le cercle aille vers elle.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s and e = %3, circle %4 went on past it; with %5 m/s and e = %6 it did not.</source>
+        <translation>Lancé vers %1 à %2 m/s avec e = %3, le cercle %4 a continué au-delà&#xa0;; à %5 m/s avec e = %6, non.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is turned round.</source>
+        <translation>Lancé vers %1 à %2 m/s depuis %3 m, le cercle %4 a continué au-delà&#xa0;; à %5 m/s depuis %6 m, il est renvoyé.</translation>
+    </message>
+    <message>
+        <source>Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with %5 m/s from %6 m it is held there.</source>
+        <translation>Lancé vers %1 à %2 m/s depuis %3 m, le cercle %4 a continué au-delà&#xa0;; à %5 m/s depuis %6 m, il y est retenu.</translation>
+    </message>
+    <message>
+        <source>Slow hits at the %walls turn %who round too early</source>
+        <translation>Les chocs lents contre %walls renvoient %who trop tôt</translation>
+    </message>
+    <message>
+        <source>Circle %1 came to the %2 with %3 m/s and turned when its centre was between %4 and %5 m from the wall; its radius is %6 m. With %7 m/s it turned at its rim, as far as a step of %8 m shows.</source>
+        <translation>Le cercle %1 est arrivé contre %2 à %3 m/s et a fait demi-tour quand son centre était entre %4 et %5 m de la paroi&#xa0;; son rayon est de %6 m. À %7 m/s, il a fait demi-tour à son bord, autant qu&apos;un pas de %8 m le montre.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls give %who one and the same speed</source>
+        <translation>Les chocs contre %walls donnent une seule et même vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with %1 m/s: work the new velocity out from the old one.</source>
+        <translation>Quelle que soit la vitesse essayée, il repart à %1 m/s&#xa0;: calculez la nouvelle vitesse à partir de l&apos;ancienne.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls turn %who round a step too late</source>
+        <translation>Les chocs contre %walls renvoient %who un pas trop tard</translation>
+    </message>
+    <message>
+        <source>At the %1 the rim of circle %2 was %3 m past the wall before the step in which it was turned round, and %4 m after it. Turn it in the step in which its rim comes past the wall.</source>
+        <translation>Contre %1, le bord du cercle %2 était à %3 m au-delà de la paroi avant le pas où il a été renvoyé, et à %4 m après. Renvoyez-le dans le pas où son bord dépasse la paroi.</translation>
+    </message>
+    <message>
+        <source>In a corner the velocity of %who is lost</source>
+        <translation>Dans un coin, la vitesse est perdue, pour %who</translation>
+    </message>
+    <message>
+        <source>Circle %3 came with %1 m/s and has %2 m/s after it. Both walls are hit in the same step, and each must turn its own part.</source>
+        <translation>Le cercle %3 est arrivé à %1 m/s et a ensuite %2 m/s. Les deux parois sont touchées dans le même pas, et chacune doit inverser sa composante.</translation>
+    </message>
+    <message>
+        <source>When circle %1 was %2 m from the %3 its velocity stayed as it was, and that of the other changed, far from it and from every wall. A wall turns the circle that touches it, and no other.</source>
+        <translation>Quand le cercle %1 était à %2 m de ceci&#xa0;: %3, sa vitesse est restée ce qu&apos;elle était, et celle de l&apos;autre a changé, loin de lui et de toute paroi. Une paroi renvoie le cercle qui la touche, et aucun autre.</translation>
+    </message>
+    <message>
+        <source>Beside a wall the velocity of another circle changes</source>
+        <translation>Près d&apos;une paroi, la vitesse d&apos;un autre cercle change</translation>
     </message>
 </context>
 <context>

@@ -58,6 +58,8 @@ private:
         const bool isSideways = length(own(g) - dot(own(g), down) * down) > wrong * length(right);
         if (!isSideways && (isRight(p) || isBlurred(g, pull)))
             return std::nullopt;
+        if (auto fault = byVelocity(g))
+            return fault;
         if (!isProportional(g))
             return besides(g);
         if (isSideways)
@@ -76,9 +78,10 @@ private:
         if (auto fault = heavierSaid(*this, g))
             return fault;
         const auto [headline, where] = fallWords(p, g, pull);
-        FlightSaid fault{
-            headline, turnUnder(g, m_ground.timesteps[shownTimestep(p)]) + QLatin1Char(' ') + where,
-            moment(false, g)};
+        const double shown =
+            p.kind == Kind::Other ? mostWrong(g, pull) : m_ground.timesteps[shownTimestep(p)];
+        FlightSaid fault{headline, turnUnder(g, shown) + QLatin1Char(' ') + where,
+                         moment(false, g)};
         if (p.kind == TimestepPattern::Kind::Constant && std::abs(p.value) < wrong)
             fault.suspect = Suspect::Omission;
         return fault;
@@ -106,6 +109,44 @@ private:
             return each != g && each != Vec2{} && std::abs(cross(each, g)) < 1e-9;
         });
         return other == all.end() ? 0.5 * g : *other;
+    }
+
+    /// A fall that hangs on the velocity: with some timestep, or under another gravity.
+    [[nodiscard]] std::optional<FlightSaid> byVelocity(Vec2 g) const
+    {
+        for (const double h : m_ground.timesteps) {
+            if (auto fault = byVelocity(g, h))
+                return fault;
+        }
+        return byVelocity(otherGravity(g), timestep());
+    }
+
+    /// One step that gravity changes rightly beside one that it does not.
+    [[nodiscard]] std::optional<FlightSaid> byVelocity(Vec2 g, double h) const
+    {
+        const Flight &f = m_own.at(g, h, m_i);
+        const auto asked = [&](const Flight::Step &step) {
+            const Flight &r = m_right.at(g, h, m_i);
+            return r.after({.position = {}, .velocity = step.velocity}, h).velocity - step.velocity;
+        };
+        const Flight::Step *good = nullptr;
+        const Flight::Step *bad = nullptr;
+        for (const Flight::Step *step : {&f.seen[0], &f.seen[1], &f.fromRest})
+            (brief(step->turn) == brief(asked(*step)) ? good : bad) = step;
+        if (f.isTurnLinear || !good || !bad)
+            return std::nullopt;
+        FlightSaid fault{
+            FlightText::tr("The acceleration of %who depends wrongly on the velocity"),
+            FlightText::tr("Under gravity %1 m/s² and with the velocity %2 m/s it changes by %3 "
+                           "m/s in a step of %4 s, with %5 m/s by %6 m/s; %7 and %8 m/s are "
+                           "right. Look at what the lines that change the velocity take, and at "
+                           "what is asked before them.")
+                .arg(brief(g), brief(good->velocity), brief(good->turn), briefTimestep(h),
+                     brief(bad->velocity), brief(bad->turn), brief(asked(*good)),
+                     brief(asked(*bad))),
+            moment(false, g)};
+        fault.suspect = Suspect::Question;
+        return fault;
     }
 
     /// Whether what it makes of gravity \p g is the same share of another one.
@@ -162,15 +203,34 @@ private:
         return length(f.acceleration) < wrong && dot(f.drift, g) > 1e-9 * lengthSquared(g);
     }
 
+    /// What a step makes of gravity, divided by what is right.
+    [[nodiscard]] double factorOf(Vec2 g, const Part &pull, double h) const
+    {
+        return pull(m_own.at(g, h, m_i)) / pull(m_right.at(g, h, m_i));
+    }
+    /// The timestep at which that is farthest from 1.
+    [[nodiscard]] double mostWrong(Vec2 g, const Part &pull) const
+    {
+        return *std::max_element(
+            m_ground.timesteps.begin(), m_ground.timesteps.end(), [&](double a, double b) {
+                return std::abs(factorOf(g, pull, a) - 1.0) < std::abs(factorOf(g, pull, b) - 1.0);
+            });
+    }
+
     /// What depends on the timestep as no other law does, told at another one.
     [[nodiscard]] QString atAnotherTimestep(Vec2 g, const Part &pull) const
     {
         const auto &all = m_ground.timesteps;
-        const auto factor = [&](double h) {
-            return pull(m_own.at(g, h, m_i)) / pull(m_right.at(g, h, m_i));
-        };
+        const auto right = std::find_if(all.begin(), all.end(), [&](double h) {
+            return isAlike(factorOf(g, pull, h), 1.0, wrong);
+        });
+        if (right != all.end())
+            return FlightText::tr("In one of %1 s it changes as it should. Look at which Δt the "
+                                  "line that changes the velocity takes.")
+                .arg(briefTimestep(*right));
+        const double shown = factorOf(g, pull, mostWrong(g, pull));
         const auto other = std::find_if(all.begin(), all.end(), [&](double h) {
-            return !isAlike(factor(h), factor(timestep()), wrong);
+            return !isAlike(factorOf(g, pull, h), shown, wrong);
         });
         return FlightText::tr("In one of %1 s it changes by %2 m/s, and should by %3 m/s.")
             .arg(briefTimestep(*other), brief(*other * m_own.at(g, *other, m_i).acceleration),

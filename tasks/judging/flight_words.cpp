@@ -272,6 +272,17 @@ private:
     }
 };
 
+/// Whether what is told of one circle, with its numbers, may be told of the other: where both
+/// follow a law it is one law, or one method.
+bool isOneLaw(const Flight &a, const Flight &b, bool isMethod)
+{
+    if (!a.isKnown || !b.isKnown)
+        return true;
+    return isMethod ? isAlike(a.drift, b.drift)
+                    : isAlike(a.way, b.way) && isAlike(a.acceleration, b.acceleration)
+                          && isAlike(a.growth, b.growth) && isAlike(a.pull, b.pull);
+}
+
 QString withNames(QString text, const std::vector<int> &circles, std::size_t all)
 {
     const QString names = circleNames(circles, all);
@@ -284,13 +295,19 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
                                            const Ground &ground)
 {
     std::vector<std::pair<FlightSaid, std::vector<int>>> groups;
+    const auto flightOf = [&](int circle) -> const Flight & {
+        return own.at(ground.gravities.front(), ground.timesteps.front(), circle);
+    };
     for (std::size_t i = 0; i < ground.flights.size(); ++i) {
         const int circle = static_cast<int>(i);
         if (!ground.flights[i].asked || ground.timesteps.empty() || ground.gravities.empty())
             continue;
         for (const FlightSaid &said : FlightJudge(own, right, ground, circle).judge()) {
             const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
-                return group.first.headline == said.headline;
+                return group.first.headline == said.headline
+                       && (group.first.body == said.body
+                           || isOneLaw(flightOf(group.second.front()), flightOf(circle),
+                                       said.isMethod));
             });
             if (same == groups.end())
                 groups.push_back({said, {circle}});

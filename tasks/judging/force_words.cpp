@@ -25,6 +25,11 @@ public:
         const Flight &r = right();
         if (isAlike(f.pull, r.pull, wrong))
             return std::nullopt;
+        // What was measured in the second step is no acceleration of a circle at rest then.
+        const double h = timestep();
+        if (length(f.fromRest.velocity - h * f.acceleration)
+            > 2.0 * h * (length(f.acceleration) + length(r.acceleration)))
+            return letGoSaid(f.fromRest.velocity, h * r.acceleration);
         const auto here = [](const Flight &each) { return brief(each.acceleration); };
         const auto there = [](const Flight &each) {
             const Vec2 far = flights::shift;
@@ -98,6 +103,22 @@ public:
     }
 
 private:
+    [[nodiscard]] FlightSaid letGoSaid(Vec2 got, Vec2 wanted) const
+    {
+        FlightSaid fault = said(
+            FlightText::tr("The velocity of %who changes far from everything"),
+            FlightText::tr("Let go at rest, it has %1 m/s one step of %2 s later, far from every "
+                           "wall and every other circle; gravity gives it %3 m/s in a step. Look "
+                           "at which lines change its velocity there, and at what is asked before "
+                           "them.")
+                .arg(brief(got), briefTimestep(timestep()), brief(wanted)),
+            false);
+        for (PresetCircle &each : fault.moment.stage.preset.circles)
+            each.body.velocity = {};
+        fault.moment.step = 1;
+        return fault;
+    }
+
     /// " (only in x)"; nothing of both parts.
     static QString partOf(bool inX, bool inY)
     {

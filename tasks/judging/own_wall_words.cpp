@@ -4,6 +4,7 @@
 
 #include "tasks/checks/figures.h"
 #include "tasks/checks/motion.h"
+#include "tasks/judging/asked_laws.h"
 #include "tasks/judging/check_plan.h"
 #include "tasks/judging/wall_comparison.h"
 #include "tasks/runs/scene_spec.h"
@@ -16,27 +17,31 @@ namespace cradle {
 namespace {
 
 /// A wall that turned a circle round: with which speed it came, and with which it left, m/s.
-struct Rebound {
+struct WallRebound {
     int circle = 0;
     qint64 step = 0;
     Wall wall = Wall::Bottom;
     double came = 0.0;
     double left = 0.0;
+    bool isRight = false; ///< it gives e back
+    double blur = 0.0;    ///< of the share: whether gravity acts before the hit is not known
 
     [[nodiscard]] double share() const { return left / came; }
 };
 
+constexpr double sameShare = 0.02;
+
 /// Off that wall, in the step after \p k, so fast that gravity hardly counts; nothing if there is
-/// none, or if it gives e back.
-std::optional<Rebound> otherReboundOf(const Observation &o, int i, qint64 k, Wall wall)
+/// none.
+std::optional<WallRebound> wallReboundOf(const Observation &o, int i, qint64 k, Wall wall)
 {
     const Vec2 n = outwardNormal(wall);
     const double pull = dot(o.variant.preset.gravity, n) * o.timestep();
     // In that step gravity acts before the hit, as in most programs, or after it.
     const double before = dot(o.circle(i, k).velocity, n);
     const double after = -dot(o.circle(i, k + 1).velocity, n);
-    const Rebound first{i, k + 1, wall, before + pull, after};
-    const Rebound last{i, k + 1, wall, before, after + pull};
+    WallRebound first{i, k + 1, wall, before + pull, after};
+    const WallRebound last{i, k + 1, wall, before, after + pull};
     constexpr double fast = 20.0; // times what gravity makes in a step
     const double least = std::max(0.1, fast * std::abs(pull));
     if (std::min(first.came, last.came) < least || std::min(first.left, last.left) <= 0.0
@@ -44,24 +49,69 @@ std::optional<Rebound> otherReboundOf(const Observation &o, int i, qint64 k, Wal
         || motion::wallGap(o, o.circle(i, k), wall)
                > motion::travel(o, i, k, o.variant.preset.gravity) + motion::samePosition)
         return std::nullopt;
-    constexpr double wrong = 0.02;
     const double e = o.variant.preset.restitution;
-    const bool isRight = std::min(std::abs(first.share() - e), std::abs(last.share() - e)) <= wrong;
-    return isRight ? std::nullopt : std::optional(first);
+    first.blur = std::abs(last.share() - first.share());
+    first.isRight = std::min(std::abs(first.share() - e), std::abs(last.share() - e)) <= sameShare;
+    return first;
 }
 
-/// The first in the run that gives another share back than e.
-std::optional<Rebound> otherRebound(const Observation &o)
+std::vector<WallRebound> wallReboundsOf(const Observation &o)
 {
+    std::vector<WallRebound> all;
     for (qint64 k = 0; k < o.steps(); ++k) {
         for (int i = 0; i < o.circleCount(); ++i) {
             for (const Wall wall : allWalls) {
-                if (const auto rebound = otherReboundOf(o, i, k, wall))
-                    return rebound;
+                if (const auto rebound = wallReboundOf(o, i, k, wall))
+                    all.push_back(*rebound);
             }
         }
     }
-    return std::nullopt;
+    return all;
+}
+
+/// Whether walls are known to be wrong in other scenes, too.
+bool failsElsewhere(const Task &task, const std::vector<CheckOutcome> &checks)
+{
+    return std::any_of(checks.begin(), checks.end(), [&](const CheckOutcome &outcome) {
+        const auto spec =
+            std::find_if(task.checks.begin(), task.checks.end(),
+                         [&](const CheckSpec &check) { return check.id == outcome.id; });
+        return !outcome.passed && spec != task.checks.end() && !showsOwnScene(*spec)
+               && isOneOf(spec->kind, {"bounces", "bounce_heights", "settles", "stays_inside"});
+    });
+}
+
+QString toldOf(const WallRebound &rebound, double e)
+{
+    return WallText::tr("Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which is "
+                        "about %5 times as much, and `restitution` is %6.")
+        .arg(QString::number(rebound.circle + 1), motion::wallName(rebound.wall),
+             brief(rebound.came), brief(rebound.left), brief(rebound.share()), brief(e));
+}
+
+/// What is wrong with some of \p all.
+/// \param isKept  with each the same share came back, and other scenes are right
+LawDeviation otherShares(const std::vector<WallRebound> &all, const WallRebound &shown, double e,
+                         bool isKept, const Preset &scene)
+{
+    const auto right =
+        std::count_if(all.begin(), all.end(), [](const WallRebound &each) { return each.isRight; });
+    const QString message =
+        isKept ? WallText::tr("In your own scene the walls do not use the e that it has")
+                     + QStringLiteral("\n\n") + toldOf(shown, e) + QLatin1Char(' ')
+                     + WallText::tr("Other scenes come out right. A copy of e that is made before "
+                                    "e is set keeps the old value.")
+               : WallText::tr("In your own scene walls give another share of the speed back than e")
+                     + QStringLiteral("\n\n") + toldOf(shown, e) + QLatin1Char(' ')
+                     + WallText::tr("Of %1 fast hits in that run, %2 came out right. Look at what "
+                                    "the new velocity is worked out from, and at what is asked "
+                                    "before.")
+                           .arg(all.size())
+                           .arg(right);
+    return {Aspect::Walls,
+            message,
+            {{scene, false}, shown.step, {shown.circle}, false},
+            isKept ? Suspect::Copy : Suspect::Formula};
 }
 
 } // namespace
@@ -81,23 +131,18 @@ std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,
         if (plan.variants.empty())
             continue;
         const Observation &run = runs.of(plan.variants.front());
-        const auto rebound = otherRebound(run);
-        if (!rebound)
+        const std::vector<WallRebound> all = wallReboundsOf(run);
+        const auto wrong = std::find_if(all.begin(), all.end(),
+                                        [](const WallRebound &each) { return !each.isRight; });
+        if (wrong == all.end())
             continue;
-        return LawDeviation{
-            Aspect::Walls,
-            WallText::tr("In your own scene the walls do not use the e that it has")
-                + QStringLiteral("\n\n")
-                + WallText::tr(
-                      "Circle %1 came to the %2 with %3 m/s and left it with %4 m/s, which "
-                      "is about %5 times as much, and `restitution` is %6. Other scenes come out "
-                      "right. A copy of e that is made before e is set keeps the old "
-                      "value.")
-                      .arg(QString::number(rebound->circle + 1), motion::wallName(rebound->wall),
-                           brief(rebound->came), brief(rebound->left), brief(rebound->share()),
-                           brief(run.variant.preset.restitution)),
-            {{runs.submission().preset, false}, rebound->step, {rebound->circle}, false},
-            Suspect::Copy};
+        const bool isKept = !failsElsewhere(task, checks)
+                            && std::all_of(all.begin(), all.end(), [&](const WallRebound &each) {
+                                   return std::abs(each.share() - wrong->share())
+                                          <= sameShare + each.blur + wrong->blur;
+                               });
+        return otherShares(all, *wrong, run.variant.preset.restitution, isKept,
+                           runs.submission().preset);
     }
     return std::nullopt;
 }

@@ -10,8 +10,9 @@
 
 namespace cradle {
 
-/// That the walls of its own scene give another share of the speed back than e, where a failed
-/// check of walls shows that scene: what is right in other scenes keeps an old value.
+/// That walls of its own scene give another share of the speed back than e, where a failed check of
+/// walls shows that scene. Where all give the same share, and other scenes are right, an old value
+/// is kept.
 /// \param runs    of the work; those that were made for the checks are looked at again
 /// \param checks  what became of the checks
 [[nodiscard]] std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,

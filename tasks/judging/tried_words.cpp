@@ -124,26 +124,60 @@ QString triedPhrase(const Condition &condition)
     }
 }
 
-QString triesTold(const std::vector<Occasion> &tries)
+namespace {
+
+/// What divides \p tries, as far as it helps; empty where it does not, or nothing is known.
+QStringList dividingPhrases(const std::vector<Condition> &all)
 {
     constexpr std::size_t most = 2; // more are no help
-    const int right = rightOnes(tries);
-    const std::vector<Condition> all = conditionsOf(tries);
     QStringList phrases;
     for (const Condition &condition : all)
         phrases.append(triedPhrase(condition));
     phrases.removeAll(QString());
-    if (phrases.isEmpty() || all.size() > most)
+    return all.size() > most ? QStringList() : phrases;
+}
+
+/// \param told  with \p phrases in place of %2, where there are any
+QString withPhrases(const QString &told, const QStringList &phrases, std::size_t conditions)
+{
+    const QString all = told.arg(phrases.join(QStringLiteral("; ")));
+    return conditions == 1 ? all
+                           : all + QLatin1Char(' ')
+                                 + TriedText::tr("Which of these counts, the tries do not show.");
+}
+
+} // namespace
+
+QString triesTold(const std::vector<Occasion> &tries)
+{
+    const int right = rightOnes(tries);
+    const std::vector<Condition> all = conditionsOf(tries);
+    const QStringList phrases = dividingPhrases(all);
+    if (phrases.isEmpty())
         return TriedText::tr("Of %1 tries, early and late, here and there, %n came out right.",
                              nullptr, right)
             .arg(tries.size());
-    const QString told =
+    return withPhrases(
         TriedText::tr("Of %1 tries, early and late, here and there, %n came out right: %2.",
                       nullptr, right)
-            .arg(QString::number(tries.size()), phrases.join(QStringLiteral("; ")));
-    return all.size() == 1 ? told
-                           : told + QLatin1Char(' ')
-                                 + TriedText::tr("Which of these counts, the tries do not show.");
+            .arg(tries.size()),
+        phrases, all.size());
+}
+
+QString answersTold(const std::vector<Occasion> &tries)
+{
+    const int answered = rightOnes(tries);
+    const std::vector<Condition> all = conditionsOf(tries);
+    const QStringList phrases = dividingPhrases(all);
+    if (phrases.isEmpty())
+        return TriedText::tr("Of %1 tries, early and late, here and there, %n were answered.",
+                             nullptr, answered)
+            .arg(tries.size());
+    return withPhrases(
+        TriedText::tr("Of %1 tries, early and late, here and there, %n were answered: %2.", nullptr,
+                      answered)
+            .arg(tries.size()),
+        phrases, all.size());
 }
 
 } // namespace cradle

@@ -15,5 +15,7 @@ namespace cradle {
 /// "Of 14 tries, early and late, here and there, 8 came out right: all up to 1 s of a run, none
 /// from 2.3 s on."
 [[nodiscard]] QString triesTold(const std::vector<Occasion> &tries);
+/// The same of those that were answered, right or wrong.
+[[nodiscard]] QString answersTold(const std::vector<Occasion> &tries);
 
 } // namespace cradle

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace cradle {
 
@@ -22,6 +23,43 @@ LawDeviation WallComparison::deviation(const QString &headline, const QString &b
             .moment = {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition},
             .suspect = suspect,
             .family = headline}; // at fewer walls it is still the same
+}
+
+std::vector<WallComparison::Whose> WallComparison::groupsOf(const std::vector<std::size_t> &hits,
+                                                            const std::vector<WallHit> &tried) const
+{
+    const auto isSaid = [&](int circle, Wall wall) {
+        return std::any_of(hits.begin(), hits.end(), [&](std::size_t i) {
+            return tried[i].circle == circle && tried[i].wall == wall;
+        });
+    };
+    const auto isDenied = [&](int circle, const std::set<Wall> &walls) {
+        return std::any_of(tried.begin(), tried.end(), [&](const WallHit &hit) {
+            return hit.circle == circle && walls.contains(hit.wall) && !hit.missed
+                   && !isSaid(circle, hit.wall);
+        });
+    };
+    std::vector<Whose> groups;
+    for (const int circle : m_own.judged) {
+        Whose own{{circle}, {}};
+        std::copy_if(std::begin(allWalls), std::end(allWalls),
+                     std::inserter(own.walls, own.walls.end()),
+                     [&](Wall wall) { return isSaid(circle, wall); });
+        if (own.walls.empty())
+            continue;
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const Whose &group) {
+            return !isDenied(circle, group.walls)
+                   && std::none_of(group.circles.begin(), group.circles.end(),
+                                   [&](int other) { return isDenied(other, own.walls); });
+        });
+        if (same == groups.end()) {
+            groups.push_back(own);
+        } else {
+            same->circles.push_back(circle);
+            same->walls.merge(own.walls);
+        }
+    }
+    return groups;
 }
 
 std::set<Wall> WallComparison::allOfThem() const

@@ -43,21 +43,21 @@ protected:
                                          bool isPosition = false) const;
     /// Behind "at the": "floor", "left wall and floor"; "walls" where it is all that turn circles.
     [[nodiscard]] QString namesOf(const std::set<Wall> &walls) const;
-    /// Of what hits \p is is true; it gets their numbers.
+    /// Of which hits \p is is true; it gets their numbers.
     template <class Is>
-    [[nodiscard]] Whose whose(Is is) const
+    [[nodiscard]] std::vector<Whose> whose(Is is) const
     {
-        std::set<int> circles;
-        Whose found;
+        std::vector<std::size_t> hits;
         for (std::size_t i = 0; i < m_own.hits.size(); ++i) {
-            if (!is(i))
-                continue;
-            circles.insert(m_own.hits[i].circle);
-            found.walls.insert(m_own.hits[i].wall);
+            if (is(i))
+                hits.push_back(i);
         }
-        found.circles.assign(circles.begin(), circles.end());
-        return found;
+        return groupsOf(hits, m_own.hits);
     }
+    /// Whose these hits are, of all that were \p tried: together only circles of which each did so
+    /// at each of the walls that it came to.
+    [[nodiscard]] std::vector<Whose> groupsOf(const std::vector<std::size_t> &hits,
+                                              const std::vector<WallHit> &tried) const;
 
     /// The hit of the reference in the same stage.
     [[nodiscard]] const WallHit &rightOf(std::size_t i) const { return m_right.hits[i]; }
@@ -93,7 +93,7 @@ protected:
 /// That slow hits alone come too early.
 [[nodiscard]] std::optional<LawDeviation> slowEarlyDeviation(const WallComparison &walls);
 /// What walls make of a slow circle that they do not make of a fast one.
-[[nodiscard]] std::optional<LawDeviation> slowAnswerDeviation(const WallComparison &walls);
+[[nodiscard]] std::vector<LawDeviation> slowAnswerDeviations(const WallComparison &walls);
 /// A hit that changes the velocity of another circle, too, of which nothing else is told.
 [[nodiscard]] std::optional<LawDeviation> kickedDeviation(const WallComparison &walls);
 /// A hit in whose step another circle does not go on as it does without one.

@@ -35,7 +35,9 @@ public:
         sayWalls(
             mixed(wallSeries([](const WallOccasion &one) { return !one.isSlow || one.hit.turned; },
                              [&](const WallHit &hit, const WallHit &) { return isAnswered(hit); })),
-            ConditionText::tr("Some hits of %who at the %walls are not answered"),
+            {ConditionText::tr("Some hits of %who at the %walls are not answered"), answersTold,
+             ConditionText::tr("This one was answered: circle %1 at %2 s, at the %3 at %4 m with "
+                               "%5 m/s.")},
             [](const LawDeviation &found) { return found.suspect != Suspect::Formula; });
         // What falls in the step of a slow one blurs its answer.
         sayWalls(mixed(wallSeries(
@@ -43,12 +45,21 @@ public:
                      [&](const WallHit &hit, const WallHit &right) {
                          return isRightAnswer(hit, right);
                      })),
-                 ConditionText::tr("Some hits of %who at the %walls come out wrong"),
+                 {ConditionText::tr("Some hits of %who at the %walls come out wrong"), triesTold,
+                  ConditionText::tr("This one came out right: circle %1 at %2 s, at the %3 at %4 m "
+                                    "with %5 m/s.")},
                  [](const LawDeviation &found) { return found.suspect == Suspect::Formula; });
         return std::move(m_said);
     }
 
 private:
+    /// What is said of hits of which some are as they should be.
+    struct Words {
+        QString headline{};
+        QString (*told)(const std::vector<Occasion> &tries) = nullptr; ///< which they are
+        QString beside{};                                              ///< of one of them
+    };
+
     /// Numbers the hits of the long runs.
     void countHits()
     {
@@ -191,8 +202,7 @@ private:
     }
 
     template <class IsReplaced>
-    void sayWalls(const Series<WallOccasion> &series, const QString &headline,
-                  IsReplaced isReplaced)
+    void sayWalls(const Series<WallOccasion> &series, const Words &words, IsReplaced isReplaced)
     {
         const auto condition = conditionOf(series.when);
         // Where nothing divides them, what was found tells more, if it is true of all.
@@ -214,12 +224,12 @@ private:
         const bool isLate = own->hit.turned && !isAnswered(own->hit);
         QString line =
             isLate ? ConditionText::tr("Some hits of %who at the %walls are answered too late")
-                   : headline;
+                   : words.headline;
         line.replace(QLatin1String("%walls"), wallNames(walls.size() == 1 ? walls : all, all));
         QString seen = seenAt(*own, *right, isLate);
         if (triedPhrase(*condition).isEmpty())
-            seen += rightBeside(series, own->hit);
-        say(Aspect::Walls, {line, seen, triesTold(series.when)}, *condition,
+            seen += rightBeside(series, own->hit, words.beside);
+        say(Aspect::Walls, {line, seen, words.told(series.when)}, *condition,
             series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
             {.stage = own->hit.stage, .step = std::max(own->hit.step, right->hit.step)},
             isReplaced);
@@ -261,7 +271,7 @@ private:
 
     /// One that comes out right, at the same wall if there is one, to be looked at beside \p wrong.
     [[nodiscard]] static QString rightBeside(const Series<WallOccasion> &series,
-                                             const WallHit &wrong)
+                                             const WallHit &wrong, const QString &text)
     {
         const WallOccasion *beside = nullptr;
         for (std::size_t i = 0; i < series.all.size(); ++i) {
@@ -271,9 +281,7 @@ private:
                 beside = &one;
         }
         return QLatin1Char(' ')
-               + ConditionText::tr(
-                     "This one came out right: circle %1 at %2 s, at the %3 at %4 m with %5 m/s.")
-                     .arg(beside->hit.circle + 1)
+               + text.arg(beside->hit.circle + 1)
                      .arg(brief(beside->when.time), motion::wallName(beside->hit.wall),
                           brief(beside->when.place), brief(came(beside->hit)));
     }

@@ -46,6 +46,17 @@ private:
         return nullptr;
     }
 
+    /// One that is answered there, with the same e if there is one.
+    [[nodiscard]] const WallHit &answeredBeside(const WallHit &open) const
+    {
+        const auto like =
+            std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+                return hit.circle == open.circle && hit.wall == open.wall && hit.isAnswered()
+                       && hit.restitution == open.restitution;
+            });
+        return like == m_own.hits.end() ? *hitOf(open.circle, open.wall, true) : *like;
+    }
+
     /// The walls that let a circle through: always, or at times.
     [[nodiscard]] std::set<Wall> openTo(int circle, bool isAlways) const
     {
@@ -154,18 +165,34 @@ private:
     /// That walls let circles through at times.
     [[nodiscard]] LawDeviation atTimes(const WallHit &hit, const Whose &whose) const
     {
-        const WallHit &turned = *hitOf(hit.circle, hit.wall, true);
-        LawDeviation found = deviation(
-            WallText::tr("Some hits of %who at the %walls are not answered"),
-            WallText::tr("Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past it; with "
-                         "%5 m/s from %6 m it is turned round. Look at what your program asks "
-                         "besides whether the rim is past the wall and the circle moves into it.")
-                .arg(motion::wallName(hit.wall), brief(thrown(hit)), brief(start(hit)),
-                     QString::number(hit.circle + 1), brief(thrown(turned)), brief(start(turned))),
-            as(hit), whose, Suspect::Question);
+        LawDeviation found =
+            deviation(WallText::tr("Some hits of %who at the %walls are not answered"),
+                      passedAndAnswered(hit, answeredBeside(hit)) + QLatin1Char(' ')
+                          + WallText::tr("Look at what your program asks besides whether the rim "
+                                         "is past the wall and the circle moves into it."),
+                      as(hit), whose, Suspect::Question);
         found.family = QStringLiteral("missing");
         found.shown = shownBy(whose.circles);
         return found;
+    }
+
+    /// One hit that is not answered beside one that is.
+    [[nodiscard]] static QString passedAndAnswered(const WallHit &hit, const WallHit &answered)
+    {
+        const QString circle = QString::number(hit.circle + 1);
+        const QString wall = motion::wallName(hit.wall);
+        if (hit.restitution != answered.restitution)
+            return WallText::tr("Thrown at the %1 with %2 m/s and e = %3, circle %4 went on past "
+                                "it; with %5 m/s and e = %6 it did not.")
+                .arg(wall, brief(thrown(hit)), brief(hit.restitution), circle,
+                     brief(thrown(answered)), brief(answered.restitution));
+        return (answered.turned
+                    ? WallText::tr("Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past "
+                                   "it; with %5 m/s from %6 m it is turned round.")
+                    : WallText::tr("Thrown at the %1 with %2 m/s from %3 m, circle %4 went on past "
+                                   "it; with %5 m/s from %6 m it is held there."))
+            .arg(wall, brief(thrown(hit)), brief(start(hit)), circle, brief(thrown(answered)),
+                 brief(start(answered)));
     }
 
     /// Whether it was thrown without the gravity that the step has.

@@ -26,12 +26,20 @@ public:
                                      [](const WallHit &hit) { return hit.kicks && hit.missed; });
         if (at == m_own.hits.end())
             return std::nullopt;
+        const bool isOfBoth = length(at->left - at->came) > 1e-6;
+        const QString seen =
+            isOfBoth ? WallText::tr("When circle %1 was %2 m from the %3 its velocity changed, and "
+                                    "in the same step that of the other, far from it and from "
+                                    "every wall. A wall turns the circle that touches it, and no "
+                                    "other.")
+                     : WallText::tr("When circle %1 was %2 m from the %3 its velocity stayed as it "
+                                    "was, and that of the other changed, far from it and from "
+                                    "every wall. A wall turns the circle that touches it, and no "
+                                    "other.");
         LawDeviation found = deviation(
-            WallText::tr("Beside a wall the velocity of both circles changes at once"),
-            WallText::tr("When circle %1 was %2 m from the %3 its velocity changed, and in the "
-                         "same step that of the other, far from it and from every wall. A wall "
-                         "turns the circle that touches it, and no other.")
-                .arg(QString::number(at->circle + 1), brief(at->before),
+            isOfBoth ? WallText::tr("Beside a wall the velocity of both circles changes at once")
+                     : WallText::tr("Beside a wall the velocity of another circle changes"),
+            seen.arg(QString::number(at->circle + 1), brief(at->before),
                      motion::wallName(at->wall)),
             *at, {{at->circle}, {at->wall}}, Suspect::Question);
         if (isOfTwo(*at))

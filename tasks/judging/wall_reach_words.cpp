@@ -27,28 +27,28 @@ public:
         std::vector<std::pair<QString, Whose>> said;
         std::vector<std::pair<QString, const WallHit *>> bodies;
         for (const int circle : m_own.judged) {
-            if (wrongWalls(circle).empty())
-                continue;
-            const auto at = std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const auto &h) {
-                return h.circle == circle && isElsewhere(h);
-            });
-            if (!m_right.hits[static_cast<std::size_t>(at - m_own.hits.begin())].fits(at->radius))
-                continue; // the reference does not turn at the rim either
-            if (at->step == 1 && brief(at->came) == brief(at->left))
-                continue; // put elsewhere, not turned
-            const WallHit &telling = tellingOf(*at);
-            const auto [headline, body] = reachWords(telling, circle);
-            const std::set<Wall> walls = wrongWalls(circle);
-            const auto same =
-                std::find_if(said.begin(), said.end(), [&, h = headline](const auto &s) {
-                    return s.first == h && s.second.walls == walls;
-                });
-            if (same != said.end()) {
-                same->second.circles.push_back(circle);
-                continue;
+            for (const std::set<Wall> &walls : wallsOfOneLength(circle)) {
+                const auto at =
+                    std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &h) {
+                        return h.circle == circle && walls.contains(h.wall) && isElsewhere(h);
+                    });
+                if (!rightOf(static_cast<std::size_t>(at - m_own.hits.begin())).fits(at->radius))
+                    continue; // the reference does not turn at the rim either
+                if (at->step == 1 && brief(at->came) == brief(at->left))
+                    continue; // put elsewhere, not turned
+                const WallHit &telling = tellingOf(*at);
+                const auto [headline, body] = reachWords(telling, circle, walls);
+                const auto same =
+                    std::find_if(said.begin(), said.end(), [&, h = headline](const auto &s) {
+                        return s.first == h && s.second.walls == walls;
+                    });
+                if (same != said.end()) {
+                    same->second.circles.push_back(circle);
+                    continue;
+                }
+                said.push_back({headline, {{circle}, walls}});
+                bodies.push_back({body, &telling});
             }
-            said.push_back({headline, {{circle}, walls}});
-            bodies.push_back({body, &telling});
         }
         std::vector<LawDeviation> found;
         for (std::size_t i = 0; i < said.size(); ++i) {
@@ -67,9 +67,10 @@ public:
     [[nodiscard]] LawDeviation ofSlow(const WallHit &hit, const std::vector<int> &circles) const
     {
         const auto [headline, body] =
-            hit.step == 1 ? atOnce(hit)
-                          : std::pair(WallText::tr("Hits at the %walls turn %who round too early"),
-                                      between(hit));
+            hit.step == 1
+                ? atOnce(hit)
+                : std::pair(WallText::tr("Slow hits at the %walls turn %who round too early"),
+                            slowly(hit));
         LawDeviation found = deviation(headline, body, hit, {circles, {hit.wall}}, Suspect::Reach);
         found.family = QStringLiteral("reach");
         found.isEverywhere = true;
@@ -126,6 +127,35 @@ private:
         return walls;
     }
 
+    /// The walls at which a circle turns elsewhere: together where one length is known by which it
+    /// does at all of them, or none of any; else wall by wall.
+    [[nodiscard]] std::vector<std::set<Wall>> wallsOfOneLength(int circle) const
+    {
+        const std::set<Wall> all = wrongWalls(circle);
+        if (all.empty())
+            return {};
+        const auto isKnown = [&](const std::set<Wall> &walls) {
+            return fittingLengths(circle, walls).size() == 1;
+        };
+        if (all.size() == 1 || !fittingLengths(circle, all).empty() || numberWords(circle, all)
+            || std::none_of(all.begin(), all.end(),
+                            [&](Wall wall) { return isKnown(std::set<Wall>{wall}); }))
+            return {all};
+        std::vector<std::set<Wall>> each;
+        for (const Wall wall : all)
+            each.push_back({wall});
+        return each;
+    }
+
+    [[nodiscard]] std::vector<WallLength> fittingLengths(int circle,
+                                                         const std::set<Wall> &walls) const
+    {
+        std::vector<WallLength> fitting = wallLengths();
+        std::erase_if(fitting,
+                      [&](const WallLength &reach) { return !fitsAll(reach, circle, walls); });
+        return fitting;
+    }
+
     /// Whether a circle turns there at these walls.
     [[nodiscard]] bool fitsAll(const WallLength &reach, int circle,
                                const std::set<Wall> &walls) const
@@ -151,17 +181,15 @@ private:
                          brief(hit.before), brief(hit.radius), QString::number(hit.circle + 1))};
     }
 
-    [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle) const
+    [[nodiscard]] std::pair<QString, QString> reachWords(const WallHit &hit, int circle,
+                                                         const std::set<Wall> &walls) const
     {
         if (const auto ahead = hit.step == 1 ? aheadWords(circle) : std::nullopt)
             return *ahead;
         if (hit.step == 1)
             return atOnce(hit);
         // What a step cannot tell apart is not told.
-        const std::set<Wall> walls = wrongWalls(circle);
-        std::vector<WallLength> fitting = wallLengths();
-        std::erase_if(fitting,
-                      [&](const WallLength &reach) { return !fitsAll(reach, circle, walls); });
+        const std::vector<WallLength> fitting = fittingLengths(circle, walls);
         if (fitting.size() == 1) {
             QString body = fitting.front().body;
             body.replace(QLatin1String("%1"), brief(hit.radius));
@@ -175,7 +203,7 @@ private:
             if (!m_own.hasOnePlace(circle, wall))
                 return atTimes(circle, wall);
         }
-        return {lateOrEarly(circle), between(hit)};
+        return {lateOrEarly(circle, walls), between(hit)};
     }
 
     /// That its centre is turned at one distance, whatever radius it has.
@@ -253,21 +281,21 @@ private:
                      rim(far[1]->reached, *far[1]), rim(far[1]->before, *far[1])));
     }
 
-    /// Whether a hit turned the part into the wall round and left the other as it was.
+    /// Whether a hit turned the part into the wall round and left the other as large as it was.
     [[nodiscard]] static bool isMirrored(const WallHit &hit)
     {
         const Vec2 n = outwardNormal(hit.wall);
         const double along = dot(hit.came, perpendicular(n));
         return dot(hit.came, n) > 0.0 && dot(hit.left, n) < 0.0
-               && std::abs(dot(hit.left, perpendicular(n)) - along) < 1e-6;
+               && std::abs(std::abs(dot(hit.left, perpendicular(n))) - std::abs(along)) < 1e-6;
     }
 
-    [[nodiscard]] QString lateOrEarly(int circle) const
+    [[nodiscard]] QString lateOrEarly(int circle, const std::set<Wall> &walls) const
     {
         bool early = false;
         bool late = false;
         for (const WallHit &hit : m_own.hits) {
-            if (hit.circle != circle || !isElsewhere(hit))
+            if (hit.circle != circle || !walls.contains(hit.wall) || !isElsewhere(hit))
                 continue;
             (hit.reached > hit.radius ? early : late) = true;
         }
@@ -275,6 +303,24 @@ private:
             return WallText::tr("Hits at the %walls turn %who round at the wrong place");
         return early ? WallText::tr("Hits at the %walls turn %who round too early")
                      : WallText::tr("Hits at the %walls turn %who round too late");
+    }
+
+    /// Between which places a slow one turned, and how much a fast one tells of that.
+    [[nodiscard]] QString slowly(const WallHit &hit) const
+    {
+        const WallHit &fast =
+            *std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &other) {
+                return other.circle == hit.circle && other.wall == hit.wall;
+            });
+        const auto speed = [](const WallHit &one) {
+            return brief(dot(one.came, outwardNormal(one.wall)));
+        };
+        return WallText::tr("Circle %1 came to the %2 with %3 m/s and turned when its centre was "
+                            "between %4 and %5 m from the wall; its radius is %6 m. With %7 m/s it "
+                            "turned at its rim, as far as a step of %8 m shows.")
+            .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall), speed(hit),
+                 brief(hit.reached), brief(hit.before), brief(hit.radius), speed(fast),
+                 brief(std::abs(fast.travel)));
     }
 
     /// Between which places it turned, in words without distances below zero.

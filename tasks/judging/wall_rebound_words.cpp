@@ -40,7 +40,8 @@ public:
             return {WallText::tr("At the %walls %who gets the velocity of the other circle"),
                     WallText::tr("The other circle had %1 m/s. Look at whose velocity the line "
                                  "takes.")
-                        .arg(brief(hit.otherFree.velocity))};
+                        .arg(brief(hit.otherFree.velocity)),
+                    true, false};
         if (follows(odd, back, minusOne) && follows(odd, along, minusOne))
             return {WallText::tr("Hits at the %walls turn the wrong part of the velocity of %who"),
                     WallText::tr("The normal of the side walls points along x, that of floor and "
@@ -65,16 +66,23 @@ public:
         if (isOfOtherPart(odd))
             return {WallText::tr("At the %walls the parts of the velocity of %who are mixed up"),
                     WallText::tr("The part into the wall is turned round, the part along it stays: "
-                                 "look at which part stands where.")};
+                                 "look at which part stands where."),
+                    true, false};
         const auto whole = [&](double) { return hit.along; };
         if (!isNear(hit.along, right.along) && follows(odd, along, whole)
             && follows(odd, back, whole))
             return {WallText::tr("Hits at the %walls give %who %1 times the whole velocity back")
                         .arg(brief(hit.along)),
                     normalOnly};
+        if (const auto speed = ownWholeSpeed(odd))
+            return {WallText::tr("Hits at the %walls give %who one and the same speed"),
+                    WallText::tr("From every speed tried it leaves with %1 m/s: work the new "
+                                 "velocity out from the old one.")
+                        .arg(brief(*speed)),
+                    true, false};
         if (!isNear(hit.along, right.along))
             return {WallText::tr("Hits at the %walls change the part of %who along the wall"),
-                    normalOnly, false};
+                    normalOnly, false, false};
         return backWords(odd, hit);
     }
 
@@ -116,6 +124,12 @@ private:
             if ((rebounds() || !law.hasE) && follows(odd, back, law.back))
                 return {law.headline, law.why};
         }
+        if (std::all_of(odd.begin(), odd.end(),
+                        [&](std::size_t i) { return m_own.hits[i].back < 0.0; }))
+            return {WallText::tr("Hits at the %walls leave %who moving outward"),
+                    WallText::tr("Its velocity still points into the wall: look at what it is "
+                                 "worked out from."),
+                    true, false};
         const auto number = [&](double) { return hit.back; };
         if (odd.size() > 2 && rebounds() && follows(odd, back, number))
             return {WallText::tr("At the %walls a number stands for e, for %who"),
@@ -131,11 +145,8 @@ private:
             return {WallText::tr("Hits at the %walls give %who a speed of their own"),
                     WallText::tr("From every speed tried it has %1 m/s along the normal "
                                  "afterwards: work the new velocity out from the old one.")
-                        .arg(brief(*speed))};
-        if (hit.back < 0.0)
-            return {WallText::tr("Hits at the %walls leave %who moving outward"),
-                    WallText::tr("Its velocity still points into the wall: look at what it is "
-                                 "worked out from.")};
+                        .arg(brief(*speed)),
+                    true, false};
         // A share that is seen with one e alone is no law.
         if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
             return {WallText::tr("Hits at the %walls give %who another share of the speed than e"),
@@ -143,7 +154,7 @@ private:
                             .arg(brief(hit.restitution), brief(hit.back), brief(other->restitution),
                                  brief(other->back))
                         + QLatin1Char(' ') + lookAtNew(),
-                    false};
+                    false, false};
         const auto lowest = std::min_element(odd.begin(), odd.end(), [&](auto a, auto b) {
             return m_own.hits[a].back < m_own.hits[b].back;
         });
@@ -156,11 +167,11 @@ private:
             return {
                 WallText::tr("Hits at the %walls give %who between %1 and %2 times the speed back")
                     .arg(brief(least), brief(most)),
-                extremes(m_own.hits[*lowest], m_own.hits[*highest]), false};
+                extremes(m_own.hits[*lowest], m_own.hits[*highest]), false, false, true};
         const double asked = rightOf(static_cast<std::size_t>(&hit - m_own.hits.data())).back;
         return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
                     .arg(briefBeside(hit.back, asked)),
-                lookAtNew()};
+                lookAtNew(), true, false};
     }
 
     static QString lookAtNew()
@@ -252,6 +263,22 @@ private:
                  WallText::tr("Hits at the %walls leave %who moving outward"), look},
                 {[](double e) { return -e; }, true,
                  WallText::tr("Hits at the %walls slow %who and turn nothing round"), look}};
+    }
+
+    /// The length of the velocity that all leave a wall with, though they came with several: both
+    /// parts are scaled alike.
+    [[nodiscard]] std::optional<double> ownWholeSpeed(const std::vector<std::size_t> &odd) const
+    {
+        const WallHit &first = m_own.hits[odd.front()];
+        const double left = length(first.left);
+        bool several = false;
+        for (const std::size_t i : odd) {
+            const WallHit &hit = m_own.hits[i];
+            if (std::abs(length(hit.left) - left) > 0.01 * left || !isNear(hit.back, hit.along))
+                return std::nullopt;
+            several |= std::abs(length(hit.came) / length(first.came) - 1.0) > 0.1;
+        }
+        return several && left > 0.0 ? std::optional(left) : std::nullopt;
     }
 
     /// The speed that all leave a wall with, though they came with several.

@@ -10,7 +10,9 @@ namespace cradle {
 struct ReboundWords {
     QString headline;
     QString why;
-    bool isLaw = true; ///< one for all of them, not what differs from hit to hit
+    bool isLaw = true;    ///< one for all of them, not what differs from hit to hit
+    bool isOfAll = true;  ///< of those that came out right at the same walls, too
+    bool isRange = false; ///< it tells between which two values all of them are
 };
 
 /// What walls make of the velocities in hits that come out wrong.

@@ -35,15 +35,20 @@ public:
                                                                 circlesOf(early)));
     }
 
-    [[nodiscard]] std::optional<LawDeviation> answer() const
+    [[nodiscard]] std::vector<LawDeviation> answer() const
     {
+        std::vector<LawDeviation> found;
         const auto open = slowHits([](const WallHit &hit, const WallHit &) { return !hit.turned; });
-        if (!open.empty())
-            return openAt(open);
+        for (const Whose &each : groupsOf(open, m_own.slow))
+            found.push_back(openAt(firstOf(open, each), each));
+        if (!found.empty())
+            return found;
         const auto odd = slowHits([&](const WallHit &hit, const WallHit &right) {
             return hit.turned && !isRightFall(hit) && std::abs(hit.back - right.back) > slowBlur;
         });
-        return odd.empty() ? std::nullopt : std::optional(oddAt(odd));
+        for (const Whose &each : groupsOf(odd, m_own.slow))
+            found.push_back(oddAt(firstOf(odd, each), each));
+        return found;
     }
 
 private:
@@ -80,12 +85,21 @@ private:
         return {circles.begin(), circles.end()};
     }
 
-    [[nodiscard]] std::set<Wall> wallsOf(const std::vector<std::size_t> &slow) const
+    /// The first of these slow hits that is of the first of those circles.
+    [[nodiscard]] std::size_t firstOf(const std::vector<std::size_t> &slow,
+                                      const Whose &whose) const
     {
-        std::set<Wall> walls;
-        for (const std::size_t i : slow)
-            walls.insert(m_own.slow[i].wall);
-        return walls;
+        return *std::find_if(slow.begin(), slow.end(), [&](std::size_t i) {
+            return m_own.slow[i].circle == whose.circles.front();
+        });
+    }
+
+    /// Of that circle at that wall, fast.
+    [[nodiscard]] const WallHit &fastOf(const WallHit &slow) const
+    {
+        return *std::find_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+            return hit.circle == slow.circle && hit.wall == slow.wall;
+        });
     }
 
     static QString speedInto(const WallHit &h)
@@ -94,10 +108,10 @@ private:
                          h.stage.preset.circles[static_cast<std::size_t>(h.circle)].body.velocity));
     }
 
-    [[nodiscard]] LawDeviation openAt(const std::vector<std::size_t> &open) const
+    [[nodiscard]] LawDeviation openAt(std::size_t at, const Whose &whose) const
     {
-        WallHit hit = m_own.slow[open.front()];
-        hit.step = m_right.slow[open.front()].step;
+        WallHit hit = m_own.slow[at];
+        hit.step = m_right.slow[at].step;
         return deviation(
             WallText::tr("Slow hits at the %walls leave %who moving outward"),
             WallText::tr("Circle %1 came to the %2 with %3 m/s and went on past it; with "
@@ -105,36 +119,36 @@ private:
                          "what counts is whether its rim is past the wall, and which way "
                          "it moves.")
                 .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall), speedInto(hit),
-                     speedInto(m_own.hits.front())),
-            hit, {circlesOf(open), wallsOf(open)}, Suspect::Question);
+                     speedInto(fastOf(hit))),
+            hit, whose, Suspect::Question);
     }
 
-    /// That the floor was not tried so slowly as the walls of \p odd, if it is none of them; begins
-    /// with a blank.
-    [[nodiscard]] QString floorTold(const std::vector<std::size_t> &odd) const
+    /// That the floor was not tried as slowly as \p odd, if it is none of the \p walls; begins with
+    /// a blank.
+    [[nodiscard]] QString floorTold(const WallHit &odd, const std::set<Wall> &walls) const
     {
         const auto into = [](const WallHit &hit) {
             return dot(
                 outwardNormal(hit.wall),
                 hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.velocity);
         };
-        if (wallsOf(odd).contains(Wall::Bottom) || !allOfThem().contains(Wall::Bottom))
+        if (walls.contains(Wall::Bottom) || !allOfThem().contains(Wall::Bottom))
             return {};
         double slowest = std::numeric_limits<double>::infinity();
         for (const WallHit &hit : m_own.slow) {
             if (hit.wall == Wall::Bottom)
                 slowest = std::min(slowest, into(hit));
         }
-        if (!std::isfinite(slowest) || slowest < 1.1 * into(m_own.slow[odd.front()]))
+        if (!std::isfinite(slowest) || slowest < 1.1 * into(odd))
             return {};
         return QLatin1Char(' ')
                + WallText::tr("At the floor, none slower than %1 m/s was tried.")
                      .arg(brief(slowest));
     }
 
-    [[nodiscard]] LawDeviation oddAt(const std::vector<std::size_t> &odd) const
+    [[nodiscard]] LawDeviation oddAt(std::size_t at, const Whose &whose) const
     {
-        const WallHit &hit = m_own.slow[odd.front()];
+        const WallHit &hit = m_own.slow[at];
         return deviation(
             WallText::tr("Slow hits at the %walls give %who another share of the speed back"),
             withE(hit)
@@ -142,9 +156,9 @@ private:
                                "that speed; %5 times is right, however slow it is.")
                       .arg(QString::number(hit.circle + 1), motion::wallName(hit.wall),
                            brief(dot(outwardNormal(hit.wall), hit.came)), brief(hit.back),
-                           brief(m_right.slow[odd.front()].back))
-                + floorTold(odd),
-            hit, {circlesOf(odd), wallsOf(odd)}, Suspect::Formula);
+                           brief(m_right.slow[at].back))
+                + floorTold(hit, whose.walls),
+            hit, whose, Suspect::Formula);
     }
 };
 
@@ -155,7 +169,7 @@ std::optional<LawDeviation> slowEarlyDeviation(const WallComparison &walls)
     return SlowJudge(walls).early();
 }
 
-std::optional<LawDeviation> slowAnswerDeviation(const WallComparison &walls)
+std::vector<LawDeviation> slowAnswerDeviations(const WallComparison &walls)
 {
     return SlowJudge(walls).answer();
 }

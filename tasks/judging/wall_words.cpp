@@ -26,15 +26,17 @@ public:
         if (!m_isRestarted) {
             findLeap();
             findPutOut();
+            findLate();
             if (!m_isElsewhere)
                 findLifted();
         }
         take(answerDeviations(*this));
         take(disturbedDeviation(*this));
         findCorners();
+        findStopInCorner();
         findNoWayBack();
         if (m_found.empty())
-            take(slowAnswerDeviation(*this));
+            take(slowAnswerDeviations(*this));
         return std::move(m_found);
     }
 
@@ -66,7 +68,7 @@ private:
     /// What is wrong with the place of a hit, of all hits of which \p is is true and not of the
     /// reference's.
     template <class Is>
-    [[nodiscard]] Whose misplaced(Is is) const
+    [[nodiscard]] std::vector<Whose> misplaced(Is is) const
     {
         return whose([&](std::size_t i) {
             const bool isToldAlready = m_isElsewhere && m_own.hits[i].step == 1;
@@ -90,27 +92,28 @@ private:
             return hit.turned && hit.step > 2
                    && std::abs(dot(outwardNormal(hit.wall), hit.landed - start)) < 1e-9;
         };
-        const Whose whose = misplaced(isAtStart);
-        if (whose.circles.empty())
-            return;
-        m_isRestarted = true;
-        const WallHit &hit = firstOf(whose, isAtStart);
-        add(WallText::tr("Hits at the %walls put %who back to the start of the run"),
-            WallText::tr("At the %1 the centre of circle %3 was put %2 m from the wall, as far as "
-                         "it was when the run began. The old place is that before the step: keep "
-                         "it anew in every step.")
-                .arg(motion::wallName(hit.wall), brief(hit.after))
-                .arg(hit.circle + 1),
-            hit, whose, Suspect::Kept, true);
+        for (const Whose &whose : misplaced(isAtStart)) {
+            m_isRestarted = true;
+            const WallHit &hit = firstOf(whose, isAtStart);
+            add(WallText::tr("Hits at the %walls put %who back to the start of the run"),
+                WallText::tr("At the %1 the centre of circle %3 was put %2 m from the wall, as far "
+                             "as it was when the run began. The old place is that before the step: "
+                             "keep it anew in every step.")
+                    .arg(motion::wallName(hit.wall), brief(hit.after))
+                    .arg(hit.circle + 1),
+                hit, whose, Suspect::Kept, true);
+        }
     }
 
     void findLeap()
     {
         const auto leaps = [](const WallHit &hit) { return hit.isLeap(); };
-        const Whose whose = misplaced(leaps);
-        if (whose.circles.empty())
-            return;
-        const WallHit &hit = firstOf(whose, leaps);
+        for (const Whose &whose : misplaced(leaps))
+            addLeap(firstOf(whose, leaps), whose);
+    }
+
+    void addLeap(const WallHit &hit, const Whose &whose)
+    {
         const double toOther = std::min(length(hit.landed - hit.otherFree.position),
                                         length(hit.landed - hit.otherWas.position));
         const bool isOther = m_own.judged.size() > 1 && toOther < nearOther;
@@ -133,18 +136,44 @@ private:
             return hit.turned && !hit.isLeap() && hit.after < hit.reached - 1e-6
                    && hit.after < hit.radius - 1e-6;
         };
-        const Whose whose = misplaced(isOut);
-        if (whose.circles.empty())
-            return;
-        const WallHit &hit = firstOf(whose, isOut);
-        add(WallText::tr("Hits at the %walls put %who further out"),
-            WallText::tr("At the %1 the centre of circle %5 would have come to %2 m from the wall "
-                         "and was put %3 m from it; its radius is %4 m. Put it where its rim is at "
-                         "the wall, or back where it came from.")
-                .arg(motion::wallName(hit.wall), brief(hit.reached), brief(hit.after),
-                     brief(hit.radius))
-                .arg(hit.circle + 1),
-            hit, whose, Suspect::Answer, true);
+        for (const Whose &whose : misplaced(isOut)) {
+            const WallHit &hit = firstOf(whose, isOut);
+            add(WallText::tr("Hits at the %walls put %who further out"),
+                WallText::tr("At the %1 the centre of circle %5 would have come to %2 m from the "
+                             "wall and was put %3 m from it; its radius is %4 m. Put it where its "
+                             "rim is at the wall, or back where it came from.")
+                    .arg(motion::wallName(hit.wall), brief(hit.reached), brief(hit.after),
+                         brief(hit.radius))
+                    .arg(hit.circle + 1),
+                hit, whose, Suspect::Answer, true);
+        }
+    }
+
+    /// Turned in the step after that in which its rim came past the wall: it went on in that.
+    void findLate()
+    {
+        const auto isLate = [](const WallHit &hit) {
+            const double some = 0.1 * std::abs(hit.travel);
+            return hit.turned && !hit.isLeap() && hit.fits(hit.radius)
+                   && hit.before < hit.radius - some && hit.after < hit.before - some;
+        };
+        const auto areLate = [&](const WallHit &one) {
+            return isLate(one)
+                   && std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+                          return hit.circle != one.circle || hit.wall != one.wall || hit.missed
+                                 || isLate(hit);
+                      });
+        };
+        for (const Whose &whose : misplaced(areLate)) {
+            const WallHit &hit = firstOf(whose, isLate);
+            add(WallText::tr("Hits at the %walls turn %who round a step too late"),
+                WallText::tr("At the %1 the rim of circle %2 was %3 m past the wall before the "
+                             "step in which it was turned round, and %4 m after it. Turn it in "
+                             "the step in which its rim comes past the wall.")
+                    .arg(motion::wallName(hit.wall), QString::number(hit.circle + 1),
+                         brief(hit.radius - hit.before), brief(hit.radius - hit.after)),
+                hit, whose, Suspect::Question);
+        }
     }
 
     /// Put further in than any way back puts it.
@@ -155,18 +184,18 @@ private:
             return hit.turned && !hit.isLeap()
                    && hit.after > std::max(hit.before, hit.radius) + travel + 1e-3;
         };
-        const Whose whose = misplaced(isLifted);
-        if (whose.circles.empty())
-            return;
-        const WallHit &hit = firstOf(whose, isLifted);
-        add(WallText::tr("Hits at the %walls put %who too far in"),
-            WallText::tr("At the %1 the centre of circle %5 was %2 m from the wall before that "
-                         "step and was put %3 m from it; its radius is %4 m, so that there is a "
-                         "gap. Put it where its rim is at the wall, or back where it came from.")
-                .arg(motion::wallName(hit.wall), brief(hit.before), brief(hit.after),
-                     brief(hit.radius))
-                .arg(hit.circle + 1),
-            hit, whose, Suspect::Answer, true);
+        for (const Whose &whose : misplaced(isLifted)) {
+            const WallHit &hit = firstOf(whose, isLifted);
+            add(WallText::tr("Hits at the %walls put %who too far in"),
+                WallText::tr("At the %1 the centre of circle %5 was %2 m from the wall before that "
+                             "step and was put %3 m from it; its radius is %4 m, so that there is "
+                             "a gap. Put it where its rim is at the wall, or back where it came "
+                             "from.")
+                    .arg(motion::wallName(hit.wall), brief(hit.before), brief(hit.after),
+                         brief(hit.radius))
+                    .arg(hit.circle + 1),
+                hit, whose, Suspect::Answer, true);
+        }
     }
 
     void findCorners()
@@ -187,6 +216,31 @@ private:
                 hit, {cornered(), {}}, Suspect::Answer);
             return;
         }
+    }
+
+    /// That a circle that hits two walls at once has no velocity left.
+    void findStopInCorner()
+    {
+        if (!m_found.empty())
+            return;
+        std::set<int> circles;
+        const WallHit *shown = nullptr;
+        for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
+            const WallHit &hit = m_own.corners[i];
+            if (!m_right.corners[i].turnsBoth || hit.missed || !hit.turned
+                || length(hit.left) > 0.01 * length(hit.came))
+                continue;
+            circles.insert(hit.circle);
+            shown = shown ? shown : &hit;
+        }
+        if (!shown)
+            return;
+        add(WallText::tr("In a corner the velocity of %who is lost"),
+            WallText::tr("Circle %3 came with %1 m/s and has %2 m/s after it. Both walls are hit "
+                         "in the same step, and each must turn its own part.")
+                .arg(brief(shown->came), brief(shown->left))
+                .arg(shown->circle + 1),
+            *shown, {{circles.begin(), circles.end()}, {}}, Suspect::Answer);
     }
 
     /// Whether hit \p i in a corner turns one part alone where the reference turns both.
