@@ -141,7 +141,7 @@ bool PairHit::fits(double distance) const
 {
     // Who answers at once may have done so long before.
     return reached - 1e-9 <= distance
-           && (step == 1 || distance <= before + (before - reached) + 1e-9);
+           && (isAtOnce || distance <= before + (before - reached) + 1e-9);
 }
 
 namespace {

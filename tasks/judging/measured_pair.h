@@ -63,6 +63,7 @@ struct PairHit {
     bool again = false;       ///< of those that part: it was answered again at once
     bool partsInside = false; ///< after that they overlap still, and move apart
     qint64 step = 0;          ///< in which it was answered, from 1
+    bool isAtOnce = false;    ///< in the first that was looked at
     Stage stage{};
 
     /// Whether it was answered when they met, not while they ran through each other.

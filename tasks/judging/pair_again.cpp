@@ -29,13 +29,12 @@ bool PairRange::meetIn(LongRun &run, PairOccasion &meeting) const
 {
     PairHit &hit = meeting.hit;
     run.set(hit.stage.preset);
-    const std::vector<Flight> &flights = m_flight.at({}, shortStep);
     Probe &probe = run.probe();
     for (int step = 1; step <= fewSteps && !hit.answered; ++step) {
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             break;
-        note(hit, before, probe, flights, step);
+        note(hit, before, probe, step);
     }
     meeting.when.time = run.time();
     return run.runs();
@@ -89,7 +88,8 @@ std::vector<PairOccasion> measurePairAgain(const QString *program, const Ground 
                                            const MeasuredFlight &flight)
 {
     const PairRange range(program, ground, flight);
-    if (!program || !ground.pair.asked || ground.flights.size() < 2 || !range.isKnown())
+    if (!program || !ground.pair.asked || ground.flights.size() < 2 || !range.isKnown()
+        || !range.isEven())
         return {};
     return range.again(range.look(equalMeeting(ground.pair)));
 }

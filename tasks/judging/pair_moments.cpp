@@ -36,7 +36,7 @@ std::vector<PairHit> measurePairChases(const QString *program, const Ground &gro
     if (!program || !ground.pair.bothMove || ground.flights.size() < 2)
         return {};
     const PairRange range(program, ground, flight);
-    return range.isKnown() ? range.chases() : std::vector<PairHit>{};
+    return range.isKnown() && range.isEven() ? range.chases() : std::vector<PairHit>{};
 }
 
 std::optional<LawDeviation> momentsDeviation(const std::vector<PairHit> &chases)

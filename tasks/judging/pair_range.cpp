@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kick = 1e-8; ///< of a velocity, relative: what no rounding makes
 constexpr double secondsOfOwn = 6.0;
+/// Of v h, of one of two circles that go unequally far: a longer way begins behind walls.
+constexpr double longestWay = 3.0;
 
 } // namespace
 
@@ -21,18 +23,68 @@ PairRange::PairRange(const QString *program, const Ground &ground, const Measure
 {
 }
 
+bool PairRange::isEven() const
+{
+    const auto &flights = m_flight.at({}, m_h);
+    return isAlike(flights[0].way.x, flights[1].way.x) && flights[0].leader < 0
+           && flights[1].leader < 0;
+}
+
 bool PairRange::isKnown() const
 {
     for (const double h : {m_h, shortStep}) {
         const auto &flights = m_flight.at({}, h);
-        for (const Flight &f : {flights[0], flights[1]}) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Flight &f = flights[i];
+            if (f.leader >= 0 && !isEven() && followsLaw(i, h))
+                continue;
             if (!f.isKnown || f.way.x <= 0.0 || !isAlike(f.way.x, f.way.y)
-                || !isAlike(f.way.x, flights[0].way.x)
-                || length(f.drift) > 0.1 * f.way.x * h * slowness(h))
+                || length(f.drift) > 0.1 * f.way.x * h * slowness(h)
+                || (!isEven() && (f.way.x > longestWay || !followsLaw(i, h))))
                 return false;
         }
     }
     return fliesAlike();
+}
+
+bool PairRange::followsLaw(std::size_t i, double h) const
+{
+    Preset preset = m_ground.stage();
+    preset.timestep = h;
+    preset.circles[0].body.position = {-1.7, 0.9};
+    preset.circles[0].body.velocity = {0.6, 0.2};
+    preset.circles[1].body.position = {1.8, -0.1};
+    preset.circles[1].body.velocity = {0.3, -0.5};
+    Probe probe(m_program, {preset, true});
+    const std::vector<Circle> before = probe.world().circles;
+    if (!probe.step())
+        return false;
+    const Circle &now = probe.circle(static_cast<int>(i));
+    return length(now.velocity - before[i].velocity) < 1e-9
+           && length(now.position - before[i].position - wayOf(i, before, h)) < 1e-9;
+}
+
+Vec2 PairRange::wayOf(std::size_t i, const std::vector<Circle> &circles, double h) const
+{
+    const Flight &f = m_flight.at({}, h)[i];
+    return f.leader >= 0 ? h * circles[static_cast<std::size_t>(f.leader)].velocity
+                         : f.after(circles[i], h).position - circles[i].position;
+}
+
+Motion PairRange::freely(std::size_t i, const std::vector<Circle> &circles, double h,
+                         Vec2 gravity) const
+{
+    const Circle &c = circles[i];
+    return isEven() ? m_flight.at(gravity, h)[i].after(c, h)
+                    : Motion{c.position + h * c.velocity, c.velocity};
+}
+
+std::vector<Circle> PairRange::aimed(const std::vector<Circle> &circles, double h) const
+{
+    std::vector<Circle> set = circles;
+    for (std::size_t i = 0; i < 2 && !isEven(); ++i)
+        set[i].position = freely(i, circles, h).position - wayOf(i, circles, h);
+    return set;
 }
 
 bool PairRange::fliesAlike() const
@@ -53,7 +105,7 @@ bool PairRange::fliesAlike() const
     if (!probe.step())
         return true;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Vec2 free = m_flight.at({}, m_h)[i].after(before[i], m_h).velocity;
+        const Vec2 free = freely(i, before, m_h).velocity;
         if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-4 * speed)
             return false;
     }
@@ -72,7 +124,7 @@ PairHit PairRange::look(const Meeting &meeting) const
     const auto seen = m_seen.find(key);
     const double guess = seen == m_seen.end() ? meeting.sum() : seen->second;
     PairHit hit = meet(meeting, guess + 2.4 * way, guess, shortStep, fewSteps);
-    if (hit.answered && hit.step > 1)
+    if (hit.answered && !hit.isAtOnce)
         return hit;
     // It is not where it should be: where it is, scan() knows to a step.
     PairHit coarse = scan(meeting);
@@ -107,7 +159,7 @@ PairHit PairRange::part(const Meeting &meeting) const
     const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
     const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
     PairHit hit = meet(meeting, distance, distance, m_h, 1);
-    hit.again = hit.answered && isAnsweredAgain(hit);
+    hit.again = hit.answered && isEven() && isAnsweredAgain(hit);
     return hit;
 }
 
@@ -116,13 +168,12 @@ bool PairRange::isAnsweredAgain(const PairHit &hit) const
 {
     constexpr int steps = 8;
     Probe probe(m_program, hit.stage);
-    const std::vector<Flight> &flights = m_flight.at({}, m_h);
     for (int k = 1; k <= steps; ++k) {
         const std::vector<Circle> before = probe.world().circles;
         if (length(before[1].position - before[0].position) > hit.meeting.sum() || !probe.step())
             return false;
         for (std::size_t i = 0; k > 1 && i < 2; ++i) {
-            const Vec2 free = flights[i].after(before[i], m_h).velocity;
+            const Vec2 free = freely(i, before, m_h).velocity;
             if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-6)
                 return true;
         }
@@ -138,7 +189,6 @@ std::optional<PairHit> PairRange::own() const
     if (!probe.runs() || probe.start().circles.size() < 2)
         return std::nullopt;
     const Preset &scene = probe.start();
-    const std::vector<Flight> &flights = m_flight.at(scene.gravity, scene.timestep);
     const auto steps = static_cast<int>(secondsOfOwn / scene.timestep);
     for (int k = 1; k <= steps; ++k) {
         const std::vector<Circle> before = probe.world().circles;
@@ -149,7 +199,7 @@ std::optional<PairHit> PairRange::own() const
         if (distance > 1.5 * (before[0].radius + before[1].radius) || isNearWall(before[0])
             || isNearWall(before[1]))
             continue;
-        note(hit, before, probe, flights, k);
+        note(hit, before, probe, k, scene.gravity);
         if (!hit.answered)
             continue;
         hit.meeting = {.radius1 = before[0].radius,
@@ -194,9 +244,8 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
     PairHit hit{.meeting = meeting, .slowness = slowness(h)};
     hit.stage = stageOf(meeting, distance, aim, h);
     Probe probe(m_program, hit.stage);
-    const std::vector<Flight> &flights = m_flight.at({}, h);
+    std::vector<Circle> before = probe.world().circles;
     for (int k = 1; k <= most && probe.runs(); ++k) {
-        const std::vector<Circle> before = probe.world().circles;
         const Vec2 d = before[1].position - before[0].position;
         // A wall is not their affair.
         if (isNearWall(before[0]) || isNearWall(before[1]))
@@ -205,13 +254,30 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
         if (k > 2 && dot(d, before[0].velocity - before[1].velocity) < 0.0
             && length(d) > 0.3 * meeting.sum())
             break;
+        const bool isHeld = hit.isHeld();
+        const std::vector<Circle> set = aimed(before, h);
+        if (!isEven()) {
+            World world = probe.world();
+            world.circles = set;
+            probe.place(world);
+        }
         if (!probe.step()) {
             hit.stopped = true;
             break;
         }
-        note(hit, before, probe, flights, k);
+        note(hit, before, probe, k);
+        // A run that begins as this step does shows the same.
+        if (!isEven() && (hit.answered || hit.isHeld() != isHeld)) {
+            hit.step = 1;
+            for (std::size_t i = 0; i < 2; ++i)
+                hit.stage.preset.circles[i].body = set[i];
+        }
         if (hit.answered)
             break;
+        std::vector<Circle> next = probe.world().circles;
+        for (std::size_t i = 0; i < 2 && !isEven(); ++i)
+            next[i].position = freely(i, before, h).position;
+        before = std::move(next);
     }
     return hit;
 }
@@ -221,12 +287,12 @@ bool PairRange::isNearWall(const Circle &c)
     return std::max(std::abs(c.position.x), std::abs(c.position.y)) > 3.7 - c.radius;
 }
 
-void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
-                     const std::vector<Flight> &flights, int k) const
+void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe, int k,
+                     Vec2 gravity) const
 {
     const double h = probe.start().timestep;
-    const Motion free1 = flights[0].after(before[0], h);
-    const Motion free2 = flights[1].after(before[1], h);
+    const Motion free1 = freely(0, before, h, gravity);
+    const Motion free2 = freely(1, before, h, gravity);
     const auto turned = [&](Vec2 made, Vec2 free) {
         return length(made - free) > kick * (hit.slowness + length(free));
     };
@@ -246,6 +312,7 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     }
     hit.answered = true;
     hit.step = k;
+    hit.isAtOnce = k == 1;
     const Vec2 d = before[1].position - before[0].position;
     const Vec2 next = free2.position - free1.position;
     hit.before = length(d);

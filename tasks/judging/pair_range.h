@@ -17,11 +17,16 @@ class PairRange
 public:
     PairRange(const QString *program, const Ground &ground, const MeasuredFlight &flight);
 
-    /// Whether both circles go as far as their velocities, one as the other.
+    /// Whether it is known how each of them goes on by the velocities of both.
     [[nodiscard]] bool isKnown() const;
 
     /// Whether they go as far as they should, so that the own scene can be read.
-    [[nodiscard]] bool isUsual() const { return isAlike(slowness(m_h), 1.0, 0.05); }
+    [[nodiscard]] bool isUsual() const { return isEven() && isAlike(slowness(m_h), 1.0, 0.05); }
+
+    /// Whether both go as far by their own velocities, one as the other. Else they are set before
+    /// every step so that they come to where their velocities would bring them, and long runs,
+    /// which nobody sets, show nothing.
+    [[nodiscard]] bool isEven() const;
 
     /// Comes from far in steps of the usual length.
     [[nodiscard]] PairHit scan(const Meeting &meeting) const;
@@ -74,6 +79,15 @@ private:
     [[nodiscard]] PairHit afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) const;
     /// Whether circles of other sizes, and with another e, fly like those, too.
     [[nodiscard]] bool fliesAlike() const;
+    /// Whether circle \p i, one of those that are not even, goes on as its law says.
+    [[nodiscard]] bool followsLaw(std::size_t i, double h) const;
+    /// The way of circle \p i of \p circles in a step, m.
+    [[nodiscard]] Vec2 wayOf(std::size_t i, const std::vector<Circle> &circles, double h) const;
+    /// Where circle \p i of them is one step later, if nothing is hit.
+    [[nodiscard]] Motion freely(std::size_t i, const std::vector<Circle> &circles, double h,
+                                Vec2 gravity = {}) const;
+    /// Those who fly on from \p circles, set so that one step brings both to where they should be.
+    [[nodiscard]] std::vector<Circle> aimed(const std::vector<Circle> &circles, double h) const;
     /// Lets them meet in the midst of a run. \return false if that comes to nothing
     bool meetIn(LongRun &run, PairOccasion &meeting) const;
     /// The same with circle 2 at x = \p place, m.
@@ -85,7 +99,10 @@ private:
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);
     /// Who goes too far in a step of h is thrown so much more gently, and comes as far as others.
-    [[nodiscard]] double slowness(double h) const { return 1.0 / m_flight.at({}, h)[0].way.x; }
+    [[nodiscard]] double slowness(double h) const
+    {
+        return isEven() ? 1.0 / m_flight.at({}, h)[0].way.x : 1.0;
+    }
 
     /// \param distance  of the centres at the start, m
     /// \param aim       when they are so far apart, they stand along the line that is asked for, m
@@ -98,8 +115,8 @@ private:
 
     static bool isNearWall(const Circle &c);
 
-    void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
-              const std::vector<Flight> &flights, int k) const;
+    void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe, int k,
+              Vec2 gravity = {}) const;
 
     /// Whether a circle was put farther from its path than any way of parting two puts it.
     void noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, const Circle &now) const;

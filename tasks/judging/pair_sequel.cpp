@@ -9,6 +9,8 @@ namespace cradle {
 
 void PairRange::meetAgain(MeasuredPair &pair) const
 {
+    if (!isEven())
+        return;
     comeBack(pair, 3.13, 0.2);
     // From so near a wall that it is back within a few steps.
     const int contacts = pair.ownContacts;
@@ -29,7 +31,6 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
     preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
     preset.circles[1].body.position = {place, 0.41};
     Probe probe(m_program, {preset, true});
-    const std::vector<Flight> &flights = m_flight.at({}, m_h);
     PairHit hit{.slowness = slowness(m_h)};
     bool was = false;
     std::vector<Circle> apart = probe.world().circles; // the last state in which they were
@@ -40,7 +41,7 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
         hit.answered = false;
         const Vec2 d = before[1].position - before[0].position;
         if (length(d) < 0.5)
-            note(hit, before, probe, flights, k);
+            note(hit, before, probe, k);
         const bool is = hit.answered && length(hit.push1()) > 0.1;
         pair.ownContacts += is && !was ? 1 : 0;
         was = is;
@@ -70,12 +71,11 @@ PairHit PairRange::anew(const std::vector<Circle> &circles) const
     hit.came1 = circles[0].velocity;
     hit.came2 = circles[1].velocity;
     Probe probe(m_program, hit.stage);
-    const std::vector<Flight> &flights = m_flight.at({}, m_h);
     for (int k = 1; k <= fewSteps && !hit.answered; ++k) {
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             break;
-        note(hit, before, probe, flights, k);
+        note(hit, before, probe, k);
     }
     return hit;
 }
@@ -83,18 +83,19 @@ PairHit PairRange::anew(const std::vector<Circle> &circles) const
 std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
 {
     constexpr int stepsAfterwards = 6;
+    if (!isEven())
+        return std::nullopt;
     const double way = meeting.closing() * m_h;
     PairHit hit{.meeting = meeting, .slowness = slowness(m_h)};
     hit.stage = stageOf(meeting, meeting.sum() + 2.4 * way, meeting.sum(), m_h);
     Probe probe(m_program, hit.stage);
-    const std::vector<Flight> &flights = m_flight.at({}, m_h);
     int first = 0;
     for (int k = 1; k <= (first == 0 ? 2 * fewSteps : first + stepsAfterwards); ++k) {
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             break;
         hit.answered = hit.moved1 = hit.moved2 = false;
-        note(hit, before, probe, flights, k);
+        note(hit, before, probe, k);
         if (first == 0 && hit.isMet())
             first = k;
         else if (first > 0 && hit.answered && hit.parting)
@@ -129,7 +130,6 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
                             .restitution = e},
                 .stage = {preset, true}};
     Probe probe(m_program, hit.stage);
-    const std::vector<Flight> &flights = m_flight.at({}, m_h);
     std::optional<PairHit> first;
     bool was = false;
     for (int k = 1; k * m_h < toWall + 1.6 * back + 12.0 * m_h; ++k) {
@@ -137,7 +137,7 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
         if (!probe.step())
             break;
         hit.answered = hit.moved1 = hit.moved2 = false;
-        note(hit, before, probe, flights, k);
+        note(hit, before, probe, k);
         const bool is = hit.answered && length(hit.push1()) > 0.1 && length(hit.push2()) > 0.1;
         if (is && !was && first)
             return LaterHit{*first, hit};

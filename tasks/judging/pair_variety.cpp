@@ -124,7 +124,7 @@ PairHit PairRange::afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) co
     Probe probe(m_program, hit.stage);
     const std::vector<Circle> before = probe.world().circles;
     if (probe.runs() && probe.step())
-        note(hit, before, probe, m_flight.at({}, m_h), 1);
+        note(hit, before, probe, 1);
     return hit;
 }
 
