@@ -41,7 +41,7 @@ QString fractionOrNumber(double value)
         return decimal;
     for (double n = 2.0; n <= longestFraction; ++n) {
         const double m = std::round(value * n);
-        if (m == 0.0 || m / n != value)
+        if (m / n != value)
             continue;
         const QString text = whole(m) + u'/' + whole(n);
         return isShorter(text) ? text : decimal;
