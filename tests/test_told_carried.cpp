@@ -5,6 +5,8 @@
 #include "tests/scenes.h"
 #include "tests/told_numbers.h"
 
+#include <algorithm>
+
 using namespace cradle;
 using namespace cradle::programs;
 using namespace cradle::told;
@@ -25,6 +27,8 @@ private slots:
     void anotherThatMovesItIsTold();
     void momentOfTheRunIsTold_data();
     void momentOfTheRunIsTold();
+    void faultIsOfPlaceOrOfVelocity_data();
+    void faultIsOfPlaceOrOfVelocity();
 
 private:
     [[nodiscard]] QString body(const QString &program, const char *headline) const
@@ -226,6 +230,61 @@ void TestToldCarried::momentOfTheRunIsTold()
         QVERIFY(isNear(first.x, start.x) && isNear(late.x, start.x));
         QVERIFY(late.y - start.y < 2.0 * (first.y - start.y) - 0.01);
     }
+}
+
+/// By it the line that is pointed at assigns the one or the other.
+void TestToldCarried::faultIsOfPlaceOrOfVelocity_data()
+{
+    QTest::addColumn<QString>("move"); // of a first circle a and a second b
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<bool>("isPosition");
+    const auto row = [](const char *headline, bool isPosition, const char *move) {
+        QTest::newRow(headline) << QString::fromUtf8(move) << QString::fromUtf8(headline)
+                                << isPosition;
+    };
+    row("Each circle goes on with the velocity of the other", false,
+        "a.position = a.position + va * h b.position = b.position + vb * h "
+        "a.velocity, b.velocity = vb + gravity * h, va + gravity * h");
+    row("The velocity of circle 2 is taken from circle 1", false,
+        "a.position = a.position + va * h b.position = b.position + vb * h "
+        "a.velocity, b.velocity = va + gravity * h, va + gravity * h");
+    row("Away from every wall a low speed of circle 1 is taken away", false,
+        "a.position = a.position + va * h b.position = b.position + vb * h "
+        "if va:length() < 4 then va = vec(0, 0) end "
+        "a.velocity, b.velocity = va + gravity * h, vb + gravity * h");
+    row("The velocity of circle 1 is set anew in every step", false,
+        "a.position = a.position + va * h b.position = b.position + vb * h "
+        "a.velocity, b.velocity = vec(1.5, -2), vb + gravity * h");
+    row("The x of the velocity of circle 1 is set anew in every step", false,
+        "a.position = a.position + va * h b.position = b.position + vb * h "
+        "a.velocity, b.velocity = vec(2, va.y + gravity.y * h), vb + gravity * h");
+    row("Every step puts circle 2 where circle 1 is", true,
+        "a.position = a.position + va * h b.position = a.position "
+        "a.velocity, b.velocity = va + gravity * h, vb + gravity * h");
+    row("The velocity of circle 1 moves circle 2", true,
+        "a.position = a.position + va * h b.position = b.position + va * h "
+        "a.velocity, b.velocity = va + gravity * h, vb + gravity * h");
+    row("The old place of circle 1 is multiplied, too", true,
+        "a.position = a.position * 3 + va * h b.position = b.position + vb * h "
+        "a.velocity, b.velocity = va + gravity * h, vb + gravity * h");
+}
+
+void TestToldCarried::faultIsOfPlaceOrOfVelocity()
+{
+    QFETCH(QString, move);
+    QFETCH(QString, headline);
+    QFETCH(bool, isPosition);
+    const QString program = QStringLiteral("function on_update(h) local a, b = circle1, circle2 "
+                                           "local va, vb = a.velocity, b.velocity %1 end")
+                                .arg(move);
+    const LawBench bench(task(QStringLiteral("L42T4")));
+    const MeasuredLaws own(&program, bench.ground);
+    const auto found = flightDeviations(own.flight(), bench.right.flight(), bench.ground);
+    const auto told = std::find_if(found.begin(), found.end(), [&](const LawDeviation &each) {
+        return each.message.startsWith(headline);
+    });
+    QVERIFY2(told != found.end(), found.empty() ? "nothing" : qPrintable(found[0].message));
+    QCOMPARE(told->moment.isPosition, isPosition);
 }
 
 QTEST_GUILESS_MAIN(TestToldCarried)
