@@ -14,11 +14,21 @@ class TestMode final : public QObject
 {
     Q_OBJECT
 private slots:
+    void everyModeHasItsWord();
     void partsAreForTheirMode();
     void hintsAreForTheirMode();
     void shippedStepsHaveBoth();
     void commentBlockIsTheMessage();
 };
+
+void TestMode::everyModeHasItsWord()
+{
+    QCOMPARE(modeFrom(QStringLiteral("explore")), Mode::Explore);
+    QCOMPARE(modeFrom(QStringLiteral("code")), Mode::Code);
+    QVERIFY(!modeFrom(QStringLiteral("all")));
+    QCOMPARE(partWords(), (QStringList{QStringLiteral("explore"), QStringLiteral("code"),
+                                       QStringLiteral("all")}));
+}
 
 void TestMode::partsAreForTheirMode()
 {
@@ -32,6 +42,12 @@ void TestMode::partsAreForTheirMode()
     QVERIFY(!code.contains(QLatin1String("set it")));
     QVERIFY(code.contains(QLatin1String("write it")));
     QVERIFY(!code.contains(QLatin1String("<!--")));
+    QVERIFY(!explore.contains(QLatin1String("<!--")));
+    // Before the first mark and after that of both, all is for both.
+    QVERIFY(code.startsWith(QLatin1String("# A\n")) && code.endsWith(QLatin1String("end")));
+    Task task;
+    task.instructions = text;
+    QCOMPARE(taskFor(Mode::Code, task).instructions, code);
 }
 
 void TestMode::hintsAreForTheirMode()

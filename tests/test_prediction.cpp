@@ -76,6 +76,9 @@ void TestPrediction::takesATranslationThatIsWhole_data()
     QTest::newRow("the outcome is missing") << QByteArray(
         R"({"prediction": {"question": "Hoch?", "answers": ["ja", "nein", "beides"]}})")
                                             << QStringLiteral("Up?");
+    QTest::newRow("the question is missing") << QByteArray(
+        R"({"prediction": {"answers": ["ja", "nein", "beides"], "outcome": "Er fällt."}})")
+                                             << QStringLiteral("Up?");
 }
 
 void TestPrediction::takesATranslationThatIsWhole()
@@ -85,6 +88,12 @@ void TestPrediction::takesATranslationThatIsWhole()
     const auto prediction = readPrediction(object(good), object(words));
     QVERIFY(prediction);
     QCOMPARE(prediction->question, question);
+    // All of it, or nothing.
+    const bool translated = question == QLatin1String("Hoch?");
+    QCOMPARE(prediction->answers.value(2),
+             translated ? QStringLiteral("beides") : QStringLiteral("both"));
+    QCOMPARE(prediction->outcome,
+             translated ? QStringLiteral("Er fällt.") : QStringLiteral("It falls."));
     QCOMPARE(prediction->answers.size(), 3);
     QCOMPARE(prediction->right, 1);
 }

@@ -22,6 +22,9 @@ private slots:
     void textFitsTheTerminal_data();
     void textFitsTheTerminal();
     void textSaysWhereTheProgramStopped();
+    void firstLineAndStartAreNamed_data();
+    void firstLineAndStartAreNamed();
+    void firstStepIsOneThatRan();
 };
 
 namespace {
@@ -104,6 +107,59 @@ void TestReportFormats::textSaysWhereTheProgramStopped()
     for (const char *part : {"in step 40, at 0.65 s", "with dt = 0.0166667", "  ok    Walls",
                              "  error Circle 1", "L42T5 did not pass: the program stopped"})
         QVERIFY2(text.contains(QLatin1String(part)), part);
+}
+
+/// Lines count from 1 and steps from 0, the start: neither is "nowhere".
+void TestReportFormats::firstLineAndStartAreNamed_data()
+{
+    QTest::addColumn<QString>("format");
+    QTest::addColumn<int>("line");
+    QTest::addColumn<int>("step");
+    QTest::addColumn<QByteArray>("part");
+    QTest::addColumn<bool>("named");
+    const auto row = [](const char *format, int line, int step, const char *part, bool named) {
+        QTest::addRow("%s, line %d, step %d: %s", format, line, step, part)
+            << QString::fromLatin1(format) << line << step << QByteArray(part) << named;
+    };
+    row("text", 1, 0, "last assigned in that step by ada/lab.lua:1\n", true);
+    row("text", 0, 0, "last assigned", false);
+    row("text", 1, 0, "Look at ada/lab.lua:1\n", true);
+    row("text", 0, 0, "Look at", false);
+    row("tap", 1, 0, "  line: 1\n", true);
+    row("tap", 0, 0, "  line:", false);
+    row("tap", 1, 0, "  step: 0\n", true);
+    row("tap", 1, -1, "  step:", false);
+    row("json", 1, 0, "\"line\": 1,", true);
+    row("json", 0, 0, "\"line\": 0,", false);
+    row("json", 1, 0, "\"step\": 0,", true);
+    row("json", 1, -1, "\"step\": -1,", false);
+}
+
+void TestReportFormats::firstLineAndStartAreNamed()
+{
+    QFETCH(QString, format);
+    QFETCH(int, line);
+    QFETCH(int, step);
+    QFETCH(QByteArray, part);
+    QFETCH(bool, named);
+    CheckReport report = diagnosed();
+    report.checks[1].line = line;
+    report.checks[1].step = step;
+    report.findings[0].line = line;
+    const QByteArray text = inFormat(report, format);
+    QVERIFY2(text.contains(part) == named, text);
+}
+
+/// The start is step 0: who stops there did not load.
+void TestReportFormats::firstStepIsOneThatRan()
+{
+    CheckReport report = stopped();
+    report.error->step = 1;
+    QVERIFY(describeReport(report).contains(QStringLiteral("in step 1, at")));
+    QVERIFY(verdictOf(report).endsWith(QStringLiteral("the program stopped")));
+    report.error->step = 0;
+    QVERIFY(!describeReport(report).contains(QStringLiteral("in step")));
+    QVERIFY(verdictOf(report).endsWith(QStringLiteral("the program does not load")));
 }
 
 QTEST_APPLESS_MAIN(TestReportFormats)
