@@ -29,6 +29,7 @@ private slots:
     void wrongSceneFailsByTheCheckThatSeesIt_data();
     void wrongSceneFailsByTheCheckThatSeesIt();
     void luaCheckDoesNotGiveTheAnswerAway();
+    void checkThatStopsInAnotherLanguageIsTold();
     void picturesOfTheTextsAreThere();
 };
 
@@ -169,6 +170,31 @@ void TestBouncingBall::luaCheckDoesNotGiveTheAnswerAway()
     QCOMPARE(outcomeOf(germanReport, QStringLiteral("half"))->message,
              QStringLiteral("Nach Aufprall 3 steigt der Ball auf 1.35 m; die Hälfte von 5.00 m "
                             "sind 2.50 m"));
+}
+
+/// A check may answer in the student's language, and stop in that one alone.
+void TestBouncingBall::checkThatStopsInAnotherLanguageIsTold()
+{
+    LabFiles files = *m_lab.files;
+    files.contents.insert(QStringLiteral("BALL3/checks/half-height.lua"),
+                          "function check(run)\n"
+                          "  if run.language == 'de' then error('halt') end\n"
+                          "  return true\n"
+                          "end\n");
+    const Result<Lab> lab = readLab(files, m_lab.folder, QStringLiteral("en"));
+    QVERIFY(lab);
+    const std::vector<VerifiedTask> tasks = verifyLab(*lab, heights, {}, 1);
+    int told = 0;
+    for (const LabFinding &finding : tasks.front().findings) {
+        if (!finding.message.startsWith(QLatin1String("in the language ")))
+            continue;
+        ++told;
+        QVERIFY2(finding.message.startsWith(QLatin1String("in the language de: "))
+                     && finding.message.contains(QLatin1String("halt")),
+                 qPrintable(finding.message));
+        QCOMPARE(finding.check, QStringLiteral("half"));
+    }
+    QVERIFY(told > 0);
 }
 
 void TestBouncingBall::picturesOfTheTextsAreThere()
