@@ -155,6 +155,8 @@ void TestJsonPatch::changesOnePlace_data()
     row("all members", "{\n  \"a\": 1\n}\n", "{}", "{}\n");
     row("the first member", "{}\n", R"({"a": 1})", "{\n  \"a\": 1\n}\n");
     row("a list on one line", "{\"a\": [1,2]}", R"({"a": [1, 2, 3]})", "{\"a\": [1,2,3]}");
+    row("a deep list that begins is on one line", "{\"a\": {\"b\": []}}",
+        R"({"a": {"b": ["x", "y"]}})", "{\"a\": {\"b\": [\"x\", \"y\"]}}");
     row("a list on lines", "{\n  \"a\": [\n    \"x\",\n    \"y\"\n  ]\n}\n",
         R"({"a": ["x", "new", "y"]})",
         "{\n  \"a\": [\n    \"x\",\n    \"new\",\n    \"y\"\n  ]\n}\n");
