@@ -25,6 +25,7 @@ private slots:
     void numbersReadBack_data();
     void numbersReadBack();
     void pointsAreToldWhereTheyDiffer();
+    void verdictSaysHowFarAProgramCame();
     void textsSurvive();
     void textReportListsEveryCheck();
 
@@ -198,6 +199,19 @@ void TestReportJson::pointsAreToldWhereTheyDiffer()
                  .toDouble(),
              2.5);
     QVERIFY(verdictOf(made).endsWith(QStringLiteral("(%1 of %2 points)").arg(reached).arg(all)));
+}
+
+void TestReportJson::verdictSaysHowFarAProgramCame()
+{
+    CheckReport made = report(false);
+    made.error = ProgramError{.message = QStringLiteral("y is nothing"), .line = 2};
+    QVERIFY(
+        verdictOf(made).endsWith(QStringLiteral(": the program stopped before its first step")));
+    made.error->step = 1;
+    QVERIFY(verdictOf(made).endsWith(QStringLiteral(": the program stopped")));
+    made.error->step = 0;
+    made.error->kind = ProgramError::Kind::Syntax;
+    QVERIFY(verdictOf(made).endsWith(QStringLiteral(": the program does not load")));
 }
 
 void TestReportJson::textsSurvive()

@@ -140,7 +140,11 @@ void TestScriptLanguage::wrongUseIsExplained_data()
     row("return vec(0, 0):normalized()", "has no direction");
     row("return vec(1, 2).length(3)", "write v:length(), with a colon");
     row("return vec(1, 2):dot(3)", "dot needs a vector, not the number 3");
-    row("return dot(vec(1, 2))", "dot needs a vector, not nothing");
+    const char *colon =
+        "dot got one vector and takes two: write a:dot(b) with a colon, or dot(a, b)";
+    row("return dot(vec(1, 2))", colon);
+    row("local v = vec(1, 2) return v.dot(v)", colon);
+    row("return vec(1, 2):dot(nil)", "dot needs a vector, not nil");
     row("circle1.position = 3", "circle1.position must be a vector, not the number 3");
     row("circle1.velocity = nil",
         "circle1.velocity must be a vector, not nil: what it is to become has no value here");

@@ -5873,6 +5873,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>البرنامج لا يُحمَّل.</translation>
     </message>
     <message>
+        <source>The program stopped before its first step.</source>
+        <translation>توقف البرنامج قبل خطوته الأولى.</translation>
+    </message>
+    <message>
         <source>line %1: %2</source>
         <translation>السطر ⁨%1⁩: ⁨%2⁩</translation>
     </message>
@@ -8112,6 +8116,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>لم تُجتز ⁨%1⁩: توقف البرنامج</translation>
     </message>
     <message>
+        <source>%1 did not pass: the program stopped before its first step</source>
+        <translation>لم تُجتز ⁨%1⁩: توقف البرنامج قبل خطوته الأولى</translation>
+    </message>
+    <message>
         <source>%1 did not pass: the program does not load</source>
         <translation>لم تُجتز ⁨%1⁩: البرنامج لا يُحمَّل</translation>
     </message>
@@ -9232,6 +9240,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>%1 needs a vector, not %2</source>
         <translation>تحتاج ⁨%1⁩ إلى متجه، لا ⁨%2⁩</translation>
+    </message>
+    <message>
+        <source>dot got one vector and takes two: write a:dot(b) with a colon, or dot(a, b)</source>
+        <translation>أُعطيت ⁦dot⁩ متجهًا واحدًا وهي تأخذ متجهين: اكتب ⁦a:dot(b)⁩ بنقطتين، أو ⁦dot(a, b)⁩</translation>
     </message>
     <message>
         <source>`%1` is not known: nothing of that name was given a value before</source>

@@ -5721,6 +5721,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Das Programm lässt sich nicht laden.</translation>
     </message>
     <message>
+        <source>The program stopped before its first step.</source>
+        <translation>Das Programm brach vor seinem ersten Zeitschritt ab.</translation>
+    </message>
+    <message>
         <source>line %1: %2</source>
         <translation>Zeile %1: %2</translation>
     </message>
@@ -8012,6 +8016,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>%1 nicht bestanden: Das Programm brach ab</translation>
     </message>
     <message>
+        <source>%1 did not pass: the program stopped before its first step</source>
+        <translation>%1 nicht bestanden: Das Programm brach vor seinem ersten Zeitschritt ab</translation>
+    </message>
+    <message>
         <source>%1 did not pass: the program does not load</source>
         <translation>%1 nicht bestanden: Das Programm lässt sich nicht laden</translation>
     </message>
@@ -8783,6 +8791,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>%1 needs a vector, not %2</source>
         <translation>%1 braucht einen Vektor; hier steht %2</translation>
+    </message>
+    <message>
+        <source>dot got one vector and takes two: write a:dot(b) with a colon, or dot(a, b)</source>
+        <translation>dot bekam einen Vektor und braucht zwei: Schreib a:dot(b) mit einem Doppelpunkt oder dot(a, b)</translation>
     </message>
     <message>
         <source>there is no %1: the scene has %2 circles</source>

@@ -5793,6 +5793,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Le programme ne se charge pas.</translation>
     </message>
     <message>
+        <source>The program stopped before its first step.</source>
+        <translation>Le programme s&apos;est arrêté avant son premier pas.</translation>
+    </message>
+    <message>
         <source>line %1: %2</source>
         <translation>ligne %1&#xa0;: %2</translation>
     </message>
@@ -8024,6 +8028,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>%1 non réussie&#xa0;: le programme s&apos;est arrêté</translation>
     </message>
     <message>
+        <source>%1 did not pass: the program stopped before its first step</source>
+        <translation>%1 non réussie&#xa0;: le programme s&apos;est arrêté avant son premier pas</translation>
+    </message>
+    <message>
         <source>%1 did not pass: the program does not load</source>
         <translation>%1 non réussie&#xa0;: le programme ne se charge pas</translation>
     </message>
@@ -9140,6 +9148,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>%1 needs a vector, not %2</source>
         <translation>%1 a besoin d&apos;un vecteur, pas %2</translation>
+    </message>
+    <message>
+        <source>dot got one vector and takes two: write a:dot(b) with a colon, or dot(a, b)</source>
+        <translation>dot a reçu un vecteur et en prend deux&#xa0;: écrivez a:dot(b) avec deux-points, ou dot(a, b)</translation>
     </message>
     <message>
         <source>`%1` is not known: nothing of that name was given a value before</source>

@@ -44,12 +44,14 @@ void writeMoment(QString &html, const CheckReport &report, const StepMoment &mom
 
 void writeError(QString &html, const StepResult &step, const ProgramError &error)
 {
-    const bool loads = error.step > 0;
-    html += paragraph(
-        loads ? StudentReportText::tr("The program stopped in step %1 of a scene, at %2 s.")
-                    .arg(error.step)
-                    .arg(quantityText(error.time, 'g', 4))
-              : StudentReportText::tr("The program does not load."));
+    html += paragraph(error.step > 0
+                          ? StudentReportText::tr("The program stopped in step %1 of a scene, at "
+                                                  "%2 s.")
+                                .arg(error.step)
+                                .arg(quantityText(error.time, 'g', 4))
+                      : error.kind == ProgramError::Kind::Syntax
+                          ? StudentReportText::tr("The program does not load.")
+                          : StudentReportText::tr("The program stopped before its first step."));
     html += QStringLiteral("<pre class=\"message\">%1</pre>\n")
                 .arg(escaped(
                     error.line > 0

@@ -255,10 +255,11 @@ QString verdictOf(const CheckReport &report)
     if (report.passed)
         return ReportText::tr("%1 passed").arg(report.taskId);
     if (report.error)
-        return report.error->step > 0
-                   ? ReportText::tr("%1 did not pass: the program stopped").arg(report.taskId)
-                   : ReportText::tr("%1 did not pass: the program does not load")
-                         .arg(report.taskId);
+        return (report.error->step > 0 ? ReportText::tr("%1 did not pass: the program stopped")
+                : report.error->kind == ProgramError::Kind::Syntax
+                    ? ReportText::tr("%1 did not pass: the program does not load")
+                    : ReportText::tr("%1 did not pass: the program stopped before its first step"))
+            .arg(report.taskId);
     const auto all = static_cast<int>(report.checks.size());
     const QString words =
         hasQuestions(report) ? ReportText::tr("%1 did not pass: %2 of %3 checks and answers failed")

@@ -200,6 +200,10 @@ int perpendicularOf(lua_State *L)
 int dotOf(lua_State *L)
 {
     const Vec2 a = vectorArgument(L, 1, QStringLiteral("dot"));
+    // As if from a point: a.dot(b).
+    if (lua_gettop(L) == 1)
+        raise(L, VectorText::tr("dot got one vector and takes two: write a:dot(b) with a colon, or "
+                                "dot(a, b)"));
     const Vec2 b = vectorArgument(L, 2, QStringLiteral("dot"));
     lua_pushnumber(L, dot(a, b));
     return 1;
