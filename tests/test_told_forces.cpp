@@ -193,6 +193,8 @@ void TestToldForces::eInTheOpenIsTold()
     QCOMPARE(n.size(), std::size_t{8});
     const double h = 1.0 / n[4];
     QVERIFY(isNear(n[2], n[0] * std::pow(1.0 - (1.0 - n[5]) * h, 2)) && n[2] < n[6]);
+    // It shows with that e alone.
+    QVERIFY(isNear(found.front().moment.stage.preset.restitution, n[5]));
 }
 
 void TestToldForces::aNumberForGravityIsTold()
