@@ -2139,6 +2139,34 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>ويظهر الخطأ نفسه في هذا أيضًا: ⁨%1⁩.</translation>
     </message>
     <message>
+        <source>The whole velocities change hands and are turned round as well</source>
+        <translation>تُتبادل السرعتان كاملتين وتُعكسان أيضًا</translation>
+    </message>
+    <message>
+        <source>Both circles get their new part along the normal besides the old</source>
+        <translation>تحصل الدائرتان على مركّبتهما الجديدة على طول الناظم فوق القديمة</translation>
+    </message>
+    <message>
+        <source>Circle 1 gets its new part along the normal besides the old</source>
+        <translation>تحصل الدائرة 1 على مركّبتها الجديدة على طول الناظم فوق القديمة</translation>
+    </message>
+    <message>
+        <source>Circle 2 gets its new part along the normal besides the old</source>
+        <translation>تحصل الدائرة 2 على مركّبتها الجديدة على طول الناظم فوق القديمة</translation>
+    </message>
+    <message>
+        <source>A hit gives a new part along the line of centres in place of the old one: look at what the new part is added to.</source>
+        <translation>يعطي التصادم مركّبة جديدة على طول خطّ المركزين بدلًا من القديمة: انظر إلى ما تُضاف إليه المركّبة الجديدة.</translation>
+    </message>
+    <message>
+        <source>The circles answer each other although they are far apart</source>
+        <translation>تستجيب الدائرتان إحداهما للأخرى مع أنّهما متباعدتان</translation>
+    </message>
+    <message>
+        <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later: the velocities change against each other, as in a hit. Look at how your program tests whether they touch.</source>
+        <translation>أُطلقتا بسرعة ⁨%1⁩ و⁨%2⁩ m/s متباعدتين، فصارت سرعتاهما ⁨%3⁩ و⁨%4⁩ m/s بعد خطوة مدّتها ⁨%5⁩ s: تتغيّر السرعتان إحداهما عكس الأخرى كما في تصادم. انظر كيف يختبر برنامجك ما إذا كانتا تتلامسان.</translation>
+    </message>
+    <message>
         <source>A number stands for gravity in the motion of %who</source>
         <translation>يقوم عدد مقام الجاذبية في حركة %who</translation>
     </message>
@@ -4649,8 +4677,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>في الاتجاهات كلها، وعددها ⁨%1⁩، التي قُذفت فيها كل منهما نحو الأخرى بسرعة لا تزيد على ⁦%2 m/s⁩ على خط المركزين لم تغيّر أي منهما سرعتها.</translation>
     </message>
     <message>
-        <source>In your own scene, with %1 m/s, they were answered in time: look at what is asked besides the distance.</source>
-        <translation>أما في مشهدك، بسرعة ⁦%1 m/s⁩، فاستجابتا في الوقت المناسب: انظر عمّ يُسأل غير المسافة.</translation>
+        <source>In your own scene, with %1 m/s, they were answered in time: look at what your program asks before they answer.</source>
+        <translation>أما في مشهدك، بسرعة ⁦%1 m/s⁩، فاستجابتا في الوقت المناسب: انظر عمّ يسأل برنامجك قبل أن تستجيبا.</translation>
     </message>
     <message>
         <source>In your own scene their velocities changed where their centres were between %1 and %2 m apart; rims touch there at %3 m. Look at what their distance is compared with, and at what is asked besides.</source>

@@ -2175,6 +2175,34 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Derselbe Fehler zeigt sich auch hierin: %1.</translation>
     </message>
     <message>
+        <source>The whole velocities change hands and are turned round as well</source>
+        <translation>Die ganzen Geschwindigkeiten werden getauscht und obendrein umgekehrt</translation>
+    </message>
+    <message>
+        <source>Both circles get their new part along the normal besides the old</source>
+        <translation>Beide Kreise bekommen ihren neuen Anteil längs der Normalen zum alten dazu</translation>
+    </message>
+    <message>
+        <source>Circle 1 gets its new part along the normal besides the old</source>
+        <translation>Kreis 1 bekommt seinen neuen Anteil längs der Normalen zum alten dazu</translation>
+    </message>
+    <message>
+        <source>Circle 2 gets its new part along the normal besides the old</source>
+        <translation>Kreis 2 bekommt seinen neuen Anteil längs der Normalen zum alten dazu</translation>
+    </message>
+    <message>
+        <source>A hit gives a new part along the line of centres in place of the old one: look at what the new part is added to.</source>
+        <translation>Ein Stoß gibt einen neuen Anteil längs der Verbindungslinie anstelle des alten: Sieh nach, wozu der neue Anteil addiert wird.</translation>
+    </message>
+    <message>
+        <source>The circles answer each other although they are far apart</source>
+        <translation>Die Kreise antworten aufeinander, obwohl sie weit voneinander entfernt sind</translation>
+    </message>
+    <message>
+        <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later: the velocities change against each other, as in a hit. Look at how your program tests whether they touch.</source>
+        <translation>Mit %1 und %2 m/s gestartet, weit voneinander entfernt, haben sie einen Schritt von %5 s später %3 und %4 m/s: Die Geschwindigkeiten ändern sich gegeneinander, wie bei einem Stoß. Sieh dir an, wie dein Programm prüft, ob sie sich berühren.</translation>
+    </message>
+    <message>
         <source>A number stands for gravity in the motion of %who</source>
         <translation>Für %who steht in der Bewegung eine Zahl statt der Schwerkraft</translation>
     </message>
@@ -4589,8 +4617,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Aus allen %1 Richtungen, in denen sie mit bis zu %2 m/s längs der Verbindungslinie der Mittelpunkte gegeneinander geworfen wurden, änderte keiner seine Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>In your own scene, with %1 m/s, they were answered in time: look at what is asked besides the distance.</source>
-        <translation>In deiner eigenen Szene, mit %1 m/s, antworteten sie rechtzeitig: Sieh dir an, was außer dem Abstand gefragt wird.</translation>
+        <source>In your own scene, with %1 m/s, they were answered in time: look at what your program asks before they answer.</source>
+        <translation>In deiner eigenen Szene, mit %1 m/s, antworteten sie rechtzeitig: Sieh dir an, was dein Programm fragt, bevor sie antworten.</translation>
     </message>
     <message>
         <source>In your own scene their velocities changed where their centres were between %1 and %2 m apart; rims touch there at %3 m. Look at what their distance is compared with, and at what is asked besides.</source>

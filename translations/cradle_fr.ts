@@ -2115,6 +2115,34 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La même faute se voit aussi en ceci : %1.</translation>
     </message>
     <message>
+        <source>The whole velocities change hands and are turned round as well</source>
+        <translation>Les vitesses entières sont échangées et, de plus, inversées</translation>
+    </message>
+    <message>
+        <source>Both circles get their new part along the normal besides the old</source>
+        <translation>Les deux cercles reçoivent leur nouvelle part normale en plus de l’ancienne</translation>
+    </message>
+    <message>
+        <source>Circle 1 gets its new part along the normal besides the old</source>
+        <translation>Le cercle 1 reçoit sa nouvelle part normale en plus de l’ancienne</translation>
+    </message>
+    <message>
+        <source>Circle 2 gets its new part along the normal besides the old</source>
+        <translation>Le cercle 2 reçoit sa nouvelle part normale en plus de l’ancienne</translation>
+    </message>
+    <message>
+        <source>A hit gives a new part along the line of centres in place of the old one: look at what the new part is added to.</source>
+        <translation>Un choc donne une nouvelle part le long de la ligne des centres à la place de l’ancienne : regardez à quoi la nouvelle part est ajoutée.</translation>
+    </message>
+    <message>
+        <source>The circles answer each other although they are far apart</source>
+        <translation>Les cercles réagissent l’un à l’autre alors qu’ils sont éloignés</translation>
+    </message>
+    <message>
+        <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later: the velocities change against each other, as in a hit. Look at how your program tests whether they touch.</source>
+        <translation>Lancés à %1 et %2 m/s, loin l’un de l’autre, ils ont %3 et %4 m/s un pas de %5 s plus tard : les vitesses changent en sens opposés, comme dans un choc. Regardez comment votre programme vérifie s’ils se touchent.</translation>
+    </message>
+    <message>
         <source>A number stands for gravity in the motion of %who</source>
         <translation>Un nombre tient lieu de pesanteur dans le mouvement, pour %who</translation>
     </message>
@@ -4589,8 +4617,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Dans les %1 directions où ils ont été lancés l&apos;un contre l&apos;autre, à %2 m/s au plus suivant la ligne des centres, aucun n&apos;a changé de vitesse.</translation>
     </message>
     <message>
-        <source>In your own scene, with %1 m/s, they were answered in time: look at what is asked besides the distance.</source>
-        <translation>Dans votre propre scène, à %1 m/s, ils ont réagi à temps&#xa0;: regardez ce qui est demandé en plus de la distance.</translation>
+        <source>In your own scene, with %1 m/s, they were answered in time: look at what your program asks before they answer.</source>
+        <translation>Dans votre propre scène, à %1 m/s, ils ont réagi à temps&#xa0;: regardez ce que votre programme demande avant qu’ils réagissent.</translation>
     </message>
     <message>
         <source>In your own scene their velocities changed where their centres were between %1 and %2 m apart; rims touch there at %3 m. Look at what their distance is compared with, and at what is asked besides.</source>

@@ -175,6 +175,8 @@ public:
         const bool isTurn = brief(own->turn) != brief(seen.turn);
         if (!isTurn && brief(own->way) == brief(seen.way))
             return std::nullopt;
+        if (auto fault = answer())
+            return fault;
         const QString text =
             isTurn ? FlightText::tr("Started with %1 m/s, its velocity changes by %2 m/s in the "
                                     "second step of %3 s; with every other circle at rest and "
@@ -192,6 +194,41 @@ public:
     }
 
 private:
+    /// What the first step of the flights does to the velocity of a circle and should not, m/s.
+    [[nodiscard]] Vec2 pushOn(int i) const
+    {
+        const Flight &f = m_own.at(gravity(), timestep(), i);
+        const Flight &asked = m_right.at(gravity(), timestep(), i);
+        return f.turnedInto
+               - asked.after({.position = {}, .velocity = f.startedWith}, timestep()).velocity;
+    }
+
+    /// Where both change at once and against each other, they answer as in a hit.
+    [[nodiscard]] std::optional<FlightSaid> answer() const
+    {
+        if (!m_ground.pair.asked || m_ground.flights.size() != 2)
+            return std::nullopt;
+        const Vec2 first = pushOn(0);
+        const Vec2 second = pushOn(1);
+        const double size = length(first) * length(second);
+        if (size < 1e-6 || dot(first, second) > (1e-3 - 1.0) * size)
+            return std::nullopt;
+        const Flight &a = m_own.at(gravity(), timestep(), 0);
+        const Flight &b = m_own.at(gravity(), timestep(), 1);
+        FlightSaid fault =
+            said(FlightText::tr("The circles answer each other although they are far apart"),
+                 FlightText::tr("Started with %1 and %2 m/s, far from each other, they have %3 and "
+                                "%4 m/s one step of %5 s later: the velocities change against each "
+                                "other, as in a hit. Look at how your program tests whether they "
+                                "touch.")
+                     .arg(brief(a.startedWith), brief(b.startedWith), brief(a.turnedInto),
+                          brief(b.turnedInto), briefTimestep(timestep())),
+                 false);
+        fault.suspect = Suspect::Question;
+        fault.moment.step = 1;
+        return fault;
+    }
+
     static bool isSame(const Flight::Step &a, const Flight::Step &b)
     {
         return length(a.velocity - b.velocity) + length(a.way - b.way) + length(a.turn - b.turn)

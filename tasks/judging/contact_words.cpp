@@ -196,7 +196,7 @@ private:
             add(ContactText::tr("No hit tried is answered but that of your own scene"),
                 seen
                     + ContactText::tr("In your own scene, with %1 m/s, they were answered in time: "
-                                      "look at what is asked besides the distance.")
+                                      "look at what your program asks before they answer.")
                           .arg(brief(hit.slowness * dot(hit.came1 - hit.came2, hit.normal))),
                 whereTheyTouch(m_own.contacts.front()));
         else

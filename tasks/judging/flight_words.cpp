@@ -176,6 +176,7 @@ private:
         };
         const Vec2 wanted = timestep() * right().acceleration;
         if (!right().isKnown || isAlike(f.fromRest.velocity, wanted)
+            || length(f.firstWay - right().firstWay) > farInAStep
             || !isRight(f.startedWith, f.turnedInto)
             || !std::all_of(f.seen.begin(), f.seen.end(), [&](const Flight::Step &step) {
                    return isRight(step.velocity, step.velocity + step.turn);

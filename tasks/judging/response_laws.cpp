@@ -92,6 +92,9 @@ std::vector<ResponseLaw> exchangeLaws()
     const QString either = ResponseLawText::tr(
         "Both new velocities come from those *before* the hit: look at what each circle gets, and "
         "whether it is read before or after a velocity is written.");
+    const QString added = ResponseLawText::tr(
+        "A hit gives a new part along the line of centres in place of the old one: look at what "
+        "the new part is added to.");
     const auto exchanged = [](Hit h) {
         return PairVelocities{h.in.along2, h.in.across2, h.in.along1, h.in.across1};
     };
@@ -212,6 +215,29 @@ std::vector<ResponseLaw> exchangeLaws()
          ResponseLawText::tr(
              "The parts along the normal change hands and are turned round as well"),
          ResponseLawText::tr("The exchange alone is the whole answer.")},
+        {[](Hit h) {
+             return PairVelocities{-h.in.along2, -h.in.across2, -h.in.along1, -h.in.across1};
+         },
+         ResponseLawText::tr("The whole velocities change hands and are turned round as well"),
+         along},
+        {[](Hit h) {
+             return PairVelocities{h.in.along1 + h.right.along1, h.right.across1,
+                                   h.in.along2 + h.right.along2, h.right.across2};
+         },
+         ResponseLawText::tr("Both circles get their new part along the normal besides the old"),
+         added, false, true},
+        {[](Hit h) {
+             return PairVelocities{h.in.along1 + h.right.along1, h.right.across1, h.right.along2,
+                                   h.right.across2};
+         },
+         ResponseLawText::tr("Circle 1 gets its new part along the normal besides the old"), added,
+         false, true},
+        {[](Hit h) {
+             return PairVelocities{h.right.along1, h.right.across1, h.in.along2 + h.right.along2,
+                                   h.right.across2};
+         },
+         ResponseLawText::tr("Circle 2 gets its new part along the normal besides the old"), added,
+         false, true},
         {[](Hit h) { return pushed(h, -1.0); },
          ResponseLawText::tr("Both pushes have the wrong sign"),
          ResponseLawText::tr("The circles are drawn into each other.")}};

@@ -46,7 +46,8 @@ Drop WallRange::lob(int circle, double e, double speed) const
         if (!probe.step())
             break;
         const double free = flight.after(before, h).velocity.y;
-        if (before.velocity.y < 0.0 && free < 0.0
+        const bool isHigh = before.position.y > preset.halfWidth - 2.0 * before.radius;
+        if (isHigh && before.velocity.y < 0.0 && free < 0.0
             && probe.circle(circle).velocity.y > wallKick * (1.0 - free)) {
             ++lob.again;
             lob.step = lob.step == 0 ? k : lob.step;

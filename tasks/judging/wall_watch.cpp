@@ -65,8 +65,10 @@ void WallRange::watch(WallHit &hit, Probe &probe, bool corner) const
         if (!turned && !moved)
             continue;
         note(hit, before, now, free, k);
-        // A wall turns it round, or its rim is there; else something on the way changes it.
-        if (hit.back < 0.0 && (!moved || (turned && k == 1))
+        // A wall turns it round, or its rim is there; else something on the way changes it, which
+        // may be a hit that stops it.
+        const bool isStopped = m_ground.pair.asked && hit.left == Vec2{};
+        if ((hit.back < 0.0 || isStopped) && (!moved || (turned && k == 1))
             && hit.reached > hit.radius + std::abs(hit.travel)) {
             hit.missed = true;
             return;
