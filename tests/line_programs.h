@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// Right programs of steps 12, 15 and 16 in several styles, in which tests change what is at fault.
+/// Right programs of steps 5, 12, 15 and 16 in several styles, in which tests change what is at
+/// fault.
 namespace cradle::programs {
 
 /// Step 12 in one function with a number for every part; what is between bars is at fault.
@@ -240,6 +241,37 @@ function on_update(h)
     c.position = p + v * h
   end
   meet(circle1, circle2)
+end
+)lua";
+
+/// Step 5 with questions of two lines, whose answers change values that are written down at last.
+inline constexpr char walled[] = R"lua(function on_load()
+  gravity = vec(0, -9.81)
+  circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0)
+  circle2.position, circle2.velocity = vec(-2, 2), vec(2, 0)
+end
+local function keep(c, old)
+  local p, v, r = c.position, c.velocity, c.radius
+  if (p.x + r > square.right and v.x > 0)
+    or (p.x - r < square.left and v.x < 0) then
+    c.position = vec(old.x, p.y)
+    v = vec(-v.x, v.y)
+  end
+  if (p.y + r > square.top and v.y > 0)
+    or (p.y - r < square.bottom and v.y < 0) then
+    c.position = vec(c.position.x, old.y)
+    v = vec(v.x, -v.y)
+  end
+  c.velocity = v
+end
+function on_update(h)
+  local old1, old2 = circle1.position, circle2.position
+  circle1.position = old1 + circle1.velocity * h
+  circle1.velocity = circle1.velocity + gravity * h
+  circle2.velocity = circle2.velocity + gravity * h
+  circle2.position = old2 + circle2.velocity * h
+  keep(circle1, old1)
+  keep(circle2, old2)
 end
 )lua";
 

@@ -45,6 +45,14 @@ void TestLineAtFault::findingMarksTheLine_data()
         "local j = (u - bvx * nx - bvy * ny) * 0.6 - 0.001\n    if j > 0 then\n"
         "      avx = avx - j * nx\n      avy = avy - j * ny\n      bvx = bvx + j * nx\n"
         "      bvy = bvy + j * ny");
+    row("own numbers: along x alone", flat,
+        "avx = avx + (w - u) * nx\n      avy = avy + (w - u) * ny\n"
+        "      bvx = bvx + (u - w) * nx\n      bvy = bvy + (u - w) * ny",
+        "avx, bvx = bvx, avx");
+    row("own numbers: whole velocities", flat,
+        "avx = avx + (w - u) * nx\n      avy = avy + (w - u) * ny\n"
+        "      bvx = bvx + (u - w) * nx\n      bvy = bvy + (u - w) * ny",
+        "avx, avy, bvx, bvy = bvx, bvy, avx, avy");
     row("e: in a line with less work than others", rebounds, "mean + e * (mean - w)",
         "mean + e * e * (mean - w)");
     row("e: multiplies all", rebounds, "mean + e * (mean - u)", "e * (mean + mean - u)");
@@ -62,6 +70,10 @@ void TestLineAtFault::findingMarksTheLine_data()
     row("push: applied, and worked out there", weighed,
         "local p = 2 * m * closing * n\n  push(a, -p)\n  push(b, p)",
         "local p = 0.7 * m * (closing + 0.1) * 2 * n\n  a.velocity = a.velocity - p / ma\n"
+        "  b.velocity = b.velocity + p / mb");
+    row("push: applied, and a factor is missing before", weighed,
+        "local p = 2 * m * closing * n\n  push(a, -p)\n  push(b, p)",
+        "local p = m * closing * n\n  a.velocity = a.velocity - p / ma\n"
         "  b.velocity = b.velocity + p / mb");
     row("push: worked out where it is handed on", weighed, "push(a, -p)\n  push(b, p)",
         "push(a, -(2 * m * closing - 0.01 * m) * 0.9 * n) "

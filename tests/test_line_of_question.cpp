@@ -59,6 +59,8 @@ void TestLineOfQuestion::findingMarksTheLine_data()
     row("distance of another formula", flat, "dx * dx + dy * dy)", "dx * dx)");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
+    rowOfStep("own value: turned round at floor and ceiling", "L42T5", QString::fromLatin1(walled),
+              "v = vec(v.x, -v.y)", "v = -v");
 }
 
 QTEST_GUILESS_MAIN(TestLineOfQuestion)

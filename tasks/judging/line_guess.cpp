@@ -22,6 +22,35 @@ int actingLine(const QStringList &rows, int last, const std::vector<int> &calls)
     return !calls.empty() && rows[last - 1].contains(setter) ? calls.back() : last;
 }
 
+/// Those of \p lines that give both circles what \p acting gives one, and those from which these
+/// have it, from one to the next: what only led to the question whether there is a hit is not the
+/// formula of its answer.
+std::vector<int> leadingTo(int acting, const std::vector<int> &lines, const ProgramLines &program)
+{
+    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
+    QStringList given;
+    for (const ProgramAssignment &each : assignments) {
+        if (each.line == acting)
+            given += each.name;
+    }
+    QStringList needed;
+    std::vector<int> found;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        bool leads = *line == acting;
+        for (const ProgramAssignment &each : assignments) {
+            if (each.line != *line
+                || !(leads || needed.contains(each.name)
+                     || (each.isField && given.contains(each.name))))
+                continue;
+            leads = true;
+            needed += valuesIn(program, each.from, each.to);
+        }
+        if (leads)
+            found.insert(found.begin(), *line);
+    }
+    return found;
+}
+
 /// The line with most work; of those with as much the one that goes on with the others.
 int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
 {
@@ -81,11 +110,23 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     };
     int acting = actingLine(rows, last, assignment.calls);
     std::vector<int> special = specialAround(acting);
+    // What the other circle takes, too, and leaves as it should, is right.
+    const auto isRightForOther = [&](int value) {
+        return deviation.moment.circles.size() < 2
+               && std::any_of(special.begin(), special.end(), [&](int line) {
+                      return line != acting && line != value
+                             && takes(rows[line - 1], rows[value - 1]);
+                  });
+    };
     // Who writes both circles down where he answers their hit works the answer out before.
     const bool isBehind =
         special.empty()
         || (deviation.moment.circles.size() < 2 && deviation.aspect != Aspect::Response);
-    if (assignment.origin && isBehind) {
+    const bool isWithin =
+        assignment.origin && !isOfQuestion(deviation.suspect)
+        && std::find(special.begin(), special.end(), *assignment.origin) != special.end()
+        && !isRightForOther(*assignment.origin);
+    if (assignment.origin && (isBehind || isWithin)) {
         acting = *assignment.origin;
         if (acting == 0)
             return isOfPair && isOfQuestion(deviation.suspect)
@@ -102,6 +143,10 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     }
     if (isOfQuestion(deviation.suspect)) {
         const AskedValues asked(lines);
+        // Where all lines run for the first time, the first question is any.
+        const int condition = !isOfPair && ran.before.empty() ? conditionAbove(last, rows, ran) : 0;
+        if (condition != 0)
+            return askedIn(condition, deviation.suspect, asked);
         const int line = special.empty() ? 0
                                          : questionOf(deviation.suspect, special, rows, ran, within,
                                                       asked, isOfPair);
@@ -119,13 +164,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         if (const auto given = push.ofGiven(acting, assignment.calls))
             return *given;
         const int added = deviation.suspect == Suspect::Answer ? push.ofAdded(acting) : 0;
-        // What the other circle takes, too, and leaves as it should, is right.
-        const bool isRight =
-            added > 0 && deviation.moment.circles.size() < 2
-            && std::any_of(special.begin(), special.end(), [&](int line) {
-                   return line != acting && line != added && takes(rows[line - 1], rows[added - 1]);
-               });
-        if (added > 0 && !isRight)
+        if (added > 0 && !isRightForOther(added))
             return added;
     }
     if (special.empty())
@@ -137,7 +176,8 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     if (deviation.topic == Topic::Restitution)
         special = withRestitution(special, rows, lines);
     const bool isAmong = std::find(special.begin(), special.end(), acting) != special.end();
-    const int formula = formulaIn(special, rows, isAmong ? acting : 0);
+    const int formula = isAmong ? formulaIn(leadingTo(acting, special, lines), rows, acting)
+                                : formulaIn(special, rows, 0);
     return formula == 0 ? acting : formula;
 }
 

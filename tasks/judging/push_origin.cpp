@@ -15,6 +15,9 @@ namespace {
 /// degrees.
 constexpr double acrossShare = 0.15;
 
+/// Of what is more than a difference of two: a product, or a quotient.
+constexpr int leastWork = 2;
+
 std::optional<World> endOf(const QString &program, const Moment &moment)
 {
     Probe probe(&program, moment.stage, true);
@@ -153,18 +156,30 @@ int PushOrigin::ofAdded(int line) const
     const ProgramAssignment *push = mostWorked(taken.names, line);
     const auto own = std::find_if(m_assignments.begin(), m_assignments.end(),
                                   [&](const ProgramAssignment &each) { return each.line == line; });
-    if (!push || own == m_assignments.end() || workOf(*push) <= workOf(*own))
+    if (!push || own == m_assignments.end())
         return 0;
     // A new velocity less the old, or what is divided by a mass, is added as it should be.
     int sums = 0;
     bool divides = false;
+    bool hasNumber = false;
     for (std::size_t i = own->from; i < own->to; ++i) {
         sums += m_program.is(i, "+") || m_program.is(i, "-") ? 1 : 0;
         divides = divides || m_program.is(i, "/");
+        hasNumber = hasNumber || m_program.tokens()[i].text.front().isDigit();
     }
+    for (const QString &name : taken.names)
+        divides = divides || isInverse(assignmentOf(name, line));
     if (taken.isAdded && sums < 2 && !divides)
         return 0;
-    return lineOf(*push);
+    // Then only a number in the line, or more work than before it, can be wrong in it.
+    const bool isWorkedOut = taken.isAdded && !hasNumber && workOf(*push) >= leastWork;
+    return isWorkedOut || workOf(*push) > workOf(*own) ? lineOf(*push) : 0;
+}
+
+bool PushOrigin::isInverse(const ProgramAssignment *each) const
+{
+    return each && each->from + 1 < each->to && m_program.is(each->from, "1")
+           && m_program.is(each->from + 1, "/");
 }
 
 bool PushOrigin::isSizeWrong(const QString &program, const QString &reference, const Moment &moment)

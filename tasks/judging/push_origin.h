@@ -43,6 +43,8 @@ private:
     }
     /// Of the names' values, worked out above a line, the one with most work.
     [[nodiscard]] const ProgramAssignment *mostWorked(const QStringList &names, int above) const;
+    /// 1 / mass; of null it is none.
+    [[nodiscard]] bool isInverse(const ProgramAssignment *each) const;
     /// The line of a push or, if it takes one mass for both circles, of that.
     [[nodiscard]] int lineOf(const ProgramAssignment &push) const;
 

@@ -51,18 +51,25 @@ int askedIn(int question, Suspect suspect, const AskedValues &asked)
 
 int conditionAbove(int line, const QStringList &rows, const RanLines &ran)
 {
-    static const QRegularExpression condition(QStringLiteral("\\bif\\b.*\\bthen\\b"));
+    static const QRegularExpression asks(QStringLiteral("\\b(else)?if\\b"));
+    static const QRegularExpression goesOn(QStringLiteral("\\belseif\\b"));
+    static const QRegularExpression then(QStringLiteral("\\bthen\\b"));
+    static const QRegularExpression ends(QStringLiteral("\\bend\\b"));
     static const QRegularExpression closes(QStringLiteral("^\\s*end\\b"));
     int closed = 0;
-    for (int at = line; at >= functionOf(rows, line).first; --at) {
+    const int first = functionOf(rows, line).first;
+    for (int at = line; at >= first; --at) {
         closed += at < line && rows[at - 1].contains(closes) ? 1 : 0;
-        if (!rows[at - 1].contains(condition) || !ran.now.contains(at))
+        if (!rows[at - 1].contains(then) || !ran.now.contains(at))
             continue;
-        const bool isOneLine =
-            rows[at - 1].contains(QRegularExpression(QStringLiteral("\\bend\\b")));
-        if (closed == 0 && (at == line || !isOneLine))
+        const bool isOneLine = rows[at - 1].contains(ends);
+        if (closed == 0 && (at == line || !isOneLine)) {
+            // A question of several lines begins with the first.
+            while (at > first && !rows[at - 1].contains(asks))
+                --at;
             return at;
-        closed -= isOneLine ? 0 : 1;
+        }
+        closed -= isOneLine || rows[at - 1].contains(goesOn) ? 0 : 1;
     }
     return 0;
 }

@@ -56,38 +56,27 @@ bool ValueOrigin::isWriteBack(int line) const
     });
 }
 
+bool ValueOrigin::isExchanged(const ProgramAssignment &assignment, const QStringList &names) const
+{
+    const QStringList values = valuesIn(m_program, assignment.from, assignment.to);
+    return m_isHit && !values.isEmpty() && !m_ran.before.contains(assignment.line)
+           && std::all_of(values.begin(), values.end(),
+                          [&](const QString &value) { return names.contains(value); });
+}
+
 int ValueOrigin::of(int line) const
 {
-    const QStringList names = writtenAt(line);
-    const auto now = endOf(m_source, m_moment.step);
-    const auto before = endOf(m_source, m_moment.step - 1);
-    // A variable of that name would hide the count of steps.
-    if (!now || !before || m_program.hasName(QStringLiteral("step")))
-        return 0;
-    const std::vector<Wrong> parts = wrongParts(now);
-    std::vector<std::vector<int>> found(parts.size());
+    QStringList names = writtenAt(line);
+    // Who writes down one circle in one line and the other in the next keeps both.
+    for (const int other : m_moment.circles.size() > 1 ? m_ran.now : std::set<int>{})
+        names += isWriteBack(other) ? writtenAt(other) : QStringList{};
     const bool isGivenByCall =
         std::any_of(m_assignments.begin(), m_assignments.end(), [&](const ProgramAssignment &each) {
             return names.contains(each.name) && m_ran.now.contains(each.line)
                    && each.from == each.to;
         });
-    for (const ProgramAssignment &each : m_assignments) {
-        // What a function returns was worked out in it, under names of its own.
-        if ((!isGivenByCall && !names.contains(each.name)) || !m_ran.now.contains(each.line)
-            || isHandedOn(m_program, each) || each.from == each.to)
-            continue;
-        const auto other = endOf(withOther(each, m_moment.step), m_moment.step);
-        const auto earlier = m_isHit && m_moment.step > 1
-                                 ? endOf(withOther(each, m_moment.step - 1), m_moment.step - 1)
-                                 : std::nullopt;
-        for (std::size_t k = 0; other && k < parts.size(); ++k) {
-            if (differs(parts[k], *now, *other)
-                && !(earlier && differs(parts[k], *before, *earlier)))
-                found[k].push_back(each.line);
-        }
-    }
     int last = 0;
-    for (const std::vector<int> &lines : found) {
+    for (const std::vector<int> &lines : originsOf(names, isGivenByCall)) {
         if (lines.empty())
             return 0;
         const std::vector<int> twins = m_program.twinsOf(lines.front());
@@ -102,6 +91,46 @@ int ValueOrigin::of(int line) const
         last = lines.back();
     }
     return last;
+}
+
+std::vector<std::vector<int>> ValueOrigin::originsOf(const QStringList &names,
+                                                     bool isGivenByCall) const
+{
+    const auto now = endOf(m_source, m_moment.step);
+    const auto before = endOf(m_source, m_moment.step - 1);
+    // A variable of that name would hide the count of steps.
+    if (!now || !before || m_program.hasName(QStringLiteral("step")))
+        return {};
+    const std::vector<Wrong> parts = wrongParts(now);
+    std::vector<std::vector<int>> found(parts.size());
+    std::vector<std::vector<int>> ofOther(parts.size()); // of the coordinate that is not wrong
+    for (const ProgramAssignment &each : m_assignments) {
+        // What a function returns was worked out in it, under names of its own.
+        if ((!isGivenByCall && !names.contains(each.name)) || !m_ran.now.contains(each.line)
+            || (isHandedOn(m_program, each) && !isExchanged(each, names)) || each.from == each.to)
+            continue;
+        const auto other = endOf(withOther(each, m_moment.step), m_moment.step);
+        const auto earlier = m_isHit && m_moment.step > 1
+                                 ? endOf(withOther(each, m_moment.step - 1), m_moment.step - 1)
+                                 : std::nullopt;
+        // What a hit gives from one circle to the other changed in the step before only the one.
+        const bool isOfEveryStep =
+            earlier && std::any_of(parts.begin(), parts.end(), [&](const Wrong &part) {
+                return differs({part.circle, true, true}, *before, *earlier);
+            });
+        for (std::size_t k = 0; other && !isOfEveryStep && k < parts.size(); ++k) {
+            if (differs(parts[k], *now, *other))
+                found[k].push_back(each.line);
+            else if (differs({parts[k].circle, true, true}, *now, *other))
+                ofOther[k].push_back(each.line);
+        }
+    }
+    // Who answers a hit with one coordinate alone has the other forgotten there.
+    for (std::size_t k = 0; k < parts.size() && m_isHit && parts.size() > 1; ++k) {
+        if (found[k].empty())
+            found[k] = ofOther[k];
+    }
+    return found;
 }
 
 Vec2 ValueOrigin::valueOf(const World &world, int circle) const

@@ -34,6 +34,9 @@ private:
         bool y;
     };
 
+    /// Of each wrong part the lines that work out one of \p names and change it at the moment.
+    [[nodiscard]] std::vector<std::vector<int>> originsOf(const QStringList &names,
+                                                          bool isGivenByCall) const;
     [[nodiscard]] std::vector<Wrong> wrongParts(const std::optional<World> &theirs) const;
     [[nodiscard]] std::optional<World> endOf(const QString &program, qint64 step) const;
     /// The program with another value in one step: what there was before, or a little more.
@@ -41,6 +44,9 @@ private:
     [[nodiscard]] bool differs(const Wrong &part, const World &a, const World &b) const;
     [[nodiscard]] Vec2 valueOf(const World &world, int circle) const;
     [[nodiscard]] QStringList writtenAt(int line) const;
+    /// Whether a hit gives a value on to another of \p names: a.v, b.v = b.v, a.v.
+    [[nodiscard]] bool isExchanged(const ProgramAssignment &assignment,
+                                   const QStringList &names) const;
 
     const QString &m_source;
     const QString &m_reference;

@@ -77,7 +77,7 @@ std::vector<Value> valuesAt(const RepairList &repairs, int line, Aspect aspect)
     }
     for (const std::size_t i : program.tokensOf(line)) {
         const bool calls =
-            program.is(i, "(") && i > 0
+            program.is(i, "(") && i > 0 && program.tokens()[i - 1].kind == ProgramToken::Kind::Name
             && (aspect == Aspect::Walls || aspect == Aspect::Motion
                 || std::any_of(repairs.functions().begin(), repairs.functions().end(),
                                [&](const ProgramFunction &function) {
