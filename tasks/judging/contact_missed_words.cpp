@@ -19,7 +19,7 @@ DividedMeetings::DividedMeetings(const MeasuredPair &own, const MeasuredPair &ri
                  [this](const PairHit &hit) { return !isPushless(hit); });
     m_division = divisionOf(m_all, arePushedAlong(right));
     for (const PairHit &hit : m_all) {
-        if (!hit.stopped && !hit.isHeldAlone())
+        if (!hit.stopped)
             (isRight(hit) ? m_answered : m_missed).push_back(&hit);
     }
 }

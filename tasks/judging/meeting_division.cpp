@@ -19,7 +19,7 @@ std::vector<JudgedMeeting> judged(const std::vector<PairHit> &hits, IsRight isRi
 {
     std::vector<JudgedMeeting> all;
     for (const PairHit &hit : hits) {
-        if (!hit.stopped && !hit.isHeldAlone())
+        if (!hit.stopped)
             all.push_back({&hit, isRight(hit)});
     }
     return all;
