@@ -89,7 +89,8 @@ void TestEqualWords::wrongAnswerIsTold_data()
     };
     row("Circle 1 does not keep its part across in a hit", times(1, 0.5, 1, 1), {0});
     row("Circle 2 does not keep its part across in a hit", times(1, 1, 1, 0.5), {1});
-    row("The parts across the line of centres are changed", times(1, 0.5, 1, 0.5), {0, 1});
+    row("The parts across the line of centres are changed", times(1, 0.5, 1, 0.5), {0, 1},
+        Topic::Across);
     row("Only circle 1 leaves a hit as it should", times(1, 1, 0.5, 1), {1});
     row("Only circle 2 leaves a hit as it should", times(0.7, 0.8, 1, 1), {0});
     row("The two pushes are not equal and opposite", times(0.3, 1, 0.6, 1), {0, 1},

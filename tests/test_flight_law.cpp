@@ -137,7 +137,7 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T8", "wind where nothing falls", way, "vec(0.3, 0) * h + gravity * h",
         text("Something besides gravity accelerates both circles"));
     row("L42T8", "a number where nothing falls", way, "vec(0, -9.81) * h",
-        text("A number stands for gravity in the motion of both circles"));
+        text("The velocity of both circles changes although no force acts"));
     row("L42T4", "gravity to the power of two", way, "gravity * gravity.y * h",
         text("The acceleration of both circles is not that of gravity"));
     row("L42T4", "spring", way, "(gravity - 2 * c.position) * h",

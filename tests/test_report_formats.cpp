@@ -150,7 +150,7 @@ void TestReportFormats::firstLineAndStartAreNamed()
     QVERIFY2(text.contains(part) == named, text);
 }
 
-/// The start is step 0: who stops there did not load.
+/// The start is step 0: who stops there has not begun, or did not load.
 void TestReportFormats::firstStepIsOneThatRan()
 {
     CheckReport report = stopped();
@@ -159,6 +159,8 @@ void TestReportFormats::firstStepIsOneThatRan()
     QVERIFY(verdictOf(report).endsWith(QStringLiteral("the program stopped")));
     report.error->step = 0;
     QVERIFY(!describeReport(report).contains(QStringLiteral("in step")));
+    QVERIFY(verdictOf(report).endsWith(QStringLiteral("stopped before its first step")));
+    report.error->kind = ProgramError::Kind::Syntax;
     QVERIFY(verdictOf(report).endsWith(QStringLiteral("the program does not load")));
 }
 

@@ -157,9 +157,10 @@ private:
     }
 
     /// Of what is the same whatever gravity is. In a step without it nobody need have heard of it.
-    static std::pair<QString, QString> fixedWords(Vec2 g)
+    [[nodiscard]] std::pair<QString, QString> fixedWords() const
     {
-        if (g == Vec2{})
+        const auto &all = m_ground.gravities;
+        if (std::all_of(all.begin(), all.end(), [](Vec2 g) { return g == Vec2{}; }))
             return {FlightText::tr("The velocity of %who changes although no force acts"),
                     FlightText::tr("Without a force a velocity stays as it is: look for the line "
                                    "that changes it in free flight.")};
@@ -177,7 +178,7 @@ private:
                 "Under gravity %1 m/s² the acceleration is %2 m/s², and %3 m/s² under %4 m/s².")
                 .arg(brief(g), brief(own(g)), brief(own(other)), brief(other));
         if (isAlike(own(g), own(other), wrong)) {
-            const auto [headline, where] = fixedWords(g);
+            const auto [headline, where] = fixedWords();
             return {headline,
                     FlightText::tr("The acceleration is %1 m/s², under gravity %2 and under %3 "
                                    "m/s² alike.")
