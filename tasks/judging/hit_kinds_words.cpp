@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/hit_kinds.h"
 
+#include "tasks/judging/contact_comparison.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/response_reading.h"
 

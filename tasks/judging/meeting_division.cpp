@@ -30,6 +30,7 @@ std::vector<JudgedMeeting> judged(const std::vector<PairHit> &hits, IsRight isRi
 std::optional<MeetingDivision> divisionBy(const std::vector<JudgedMeeting> &meetings)
 {
     std::vector<ThrownMeeting> all;
+    all.reserve(meetings.size());
     for (const JudgedMeeting &one : meetings)
         all.emplace_back(*one.hit, one.isRight);
     const auto right =

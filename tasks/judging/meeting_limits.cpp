@@ -77,6 +77,7 @@ std::optional<MeetingDivision> divisionByLimit(const std::vector<ThrownMeeting> 
     double point = 0.0; // whose place it is, if it is known
     for (const double share : {0.0, -0.5, 0.5}) {
         std::vector<Occasion> occasions;
+        occasions.reserve(all.size());
         for (const ThrownMeeting &one : all)
             occasions.push_back(
                 {.place = one.meeting.middle + share * one.meeting.sum() * one.normal,

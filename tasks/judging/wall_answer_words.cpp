@@ -58,6 +58,7 @@ private:
         if (alike.size() == 1 || words.isLaw || (alike.size() > mostAnswers && isRange))
             return {odd};
         std::vector<std::vector<std::size_t>> kinds;
+        kinds.reserve(alike.size());
         for (const auto &[headline, hits] : alike)
             kinds.push_back(hits);
         std::stable_sort(kinds.begin(), kinds.end(),

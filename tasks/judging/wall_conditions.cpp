@@ -249,7 +249,7 @@ private:
                                         bool isLate)
     {
         const WallHit &hit = own.hit;
-        const QString seen =
+        QString seen =
             (isLate ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
                                         "with %5 m/s and went on past it at first.")
              : hit.turned

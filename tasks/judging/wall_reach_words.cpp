@@ -142,6 +142,7 @@ private:
                             [&](Wall wall) { return isKnown(std::set<Wall>{wall}); }))
             return {all};
         std::vector<std::set<Wall>> each;
+        each.reserve(all.size());
         for (const Wall wall : all)
             each.push_back({wall});
         return each;
