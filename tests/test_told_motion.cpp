@@ -26,6 +26,7 @@ private slots:
     void aTimestepThatIsRightIsTold();
     void stepsFromTheStartAreTold();
     void aRightFirstStepIsNotBlamed();
+    void aFirstStepOfItsOwnIsTold();
     void stepsThatAlternateAreTold();
     void methodIsTold_data();
     void methodIsTold();
@@ -337,6 +338,36 @@ void TestToldMotion::anyMethodInPartsIsRight()
         ++told;
     }
     QVERIFY(told > 0);
+}
+
+/// What is kept of the step before is not there yet in the first.
+void TestToldMotion::aFirstStepOfItsOwnIsTold()
+{
+    const char *headline = "The first step of circle 1 is made in another way";
+    const auto with = [&](const QString &place, const QString &velocity) {
+        QString program = QStringLiteral("local begun = false ")
+                          + written({.circles = 1,
+                                     .move = QStringLiteral("c.position = c.position + %1 "
+                                                            "c.velocity = c.velocity + %2 "
+                                                            "begun = true")
+                                                 .arg(place, velocity)},
+                                    structures[0]);
+        return bodyOfProgram("L42T3", program, headline);
+    };
+    const auto turn =
+        numbersIn(with(way, QStringLiteral("(begun and 1 or 0) * gravity * h")),
+                  "Started with (#, #) m/s, it has (#, #) m/s after the first step of 1/# s; made "
+                  "as the second is, that step gives it (#, #) m/s.");
+    QCOMPARE(turn.size(), std::size_t{7});
+    QVERIFY(turn[3] == turn[1]);
+    QVERIFY(isNear(turn[6], turn[1] - 9.81 / turn[4]));
+    const auto went = numbersIn(with(QStringLiteral("(begun and 1 or 0.5) * c.velocity * h"), fall),
+                                "Started with (#, #) m/s, it goes (#, #) m in the first step of "
+                                "1/# s; made as the second is, that step goes (#, #) m.");
+    QCOMPARE(went.size(), std::size_t{7});
+    QVERIFY(isNear(went[2], 0.5 * went[5]));
+    QVERIFY(isNear(went[5], went[0] / went[4]));
+    QVERIFY(with(way, fall).isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestToldMotion)

@@ -2343,6 +2343,22 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>كل خطوة تحرّك %who ضعف المسافة</translation>
     </message>
     <message>
+        <source>Look at what your program keeps from one step to the next, and at what it has of that before the first.</source>
+        <translation>انظر إلى ما يحتفظ به برنامجك من خطوة إلى التي تليها، وإلى ما لديه منه قبل الأولى.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the first step of %3 s; made as the second is, that step goes %4 m.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ تقدمت ⁦%2 m⁩ في الخطوة الأولى ومدتها ⁦%3 s⁩؛ ولو حُسبت كالثانية لتقدمت ⁦%4 m⁩.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s after the first step of %3 s; made as the second is, that step gives it %4 m/s.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ كانت سرعتها ⁦%2 m/s⁩ بعد الخطوة الأولى ومدتها ⁦%3 s⁩؛ ولو حُسبت كالثانية لكانت ⁦%4 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>The first step of %who is made in another way</source>
+        <translation>الخطوة الأولى من %who تُحسب بطريقة أخرى</translation>
+    </message>
+    <message>
         <source>Count the lines that change the position in a step without a hit, and look at their factors.</source>
         <translation>عُدّ الأسطر التي تغيّر الموضع في خطوة بلا تصادم، وانظر إلى عواملها.</translation>
     </message>

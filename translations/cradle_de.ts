@@ -2151,6 +2151,22 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Jeder Schritt bewegt %who doppelt so weit</translation>
     </message>
     <message>
+        <source>Look at what your program keeps from one step to the next, and at what it has of that before the first.</source>
+        <translation>Sieh dir an, was dein Programm von einem Schritt zum nächsten behält und was davon vor dem ersten da ist.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the first step of %3 s; made as the second is, that step goes %4 m.</source>
+        <translation>Mit %1 m/s gestartet, kommt er im ersten Schritt von %3 s um %2 m weiter; ginge dieser wie der zweite, wären es %4 m.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s after the first step of %3 s; made as the second is, that step gives it %4 m/s.</source>
+        <translation>Mit %1 m/s gestartet, hat er nach dem ersten Schritt von %3 s %2 m/s; ginge dieser wie der zweite, hätte er %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The first step of %who is made in another way</source>
+        <translation>Der erste Schritt von %who geschieht anders</translation>
+    </message>
+    <message>
         <source>Count the lines that change the position in a step without a hit, and look at their factors.</source>
         <translation>Zähle die Zeilen, die in einem Schritt ohne Stoß den Ort ändern, und sieh dir ihre Faktoren an.</translation>
     </message>

@@ -2319,6 +2319,22 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Chaque pas déplace %who deux fois trop loin</translation>
     </message>
     <message>
+        <source>Look at what your program keeps from one step to the next, and at what it has of that before the first.</source>
+        <translation>Regardez ce que votre programme garde d&apos;un pas au suivant, et ce qu&apos;il en a avant le premier.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the first step of %3 s; made as the second is, that step goes %4 m.</source>
+        <translation>Lancé à %1 m/s, il avance de %2 m au premier pas de %3 s&#xa0;; fait comme le deuxième, ce pas avance de %4 m.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s after the first step of %3 s; made as the second is, that step gives it %4 m/s.</source>
+        <translation>Lancé à %1 m/s, il a %2 m/s après le premier pas de %3 s&#xa0;; fait comme le deuxième, ce pas lui donne %4 m/s.</translation>
+    </message>
+    <message>
+        <source>The first step of %who is made in another way</source>
+        <translation>Le premier pas de %who est fait d&apos;une autre façon</translation>
+    </message>
+    <message>
         <source>Count the lines that change the position in a step without a hit, and look at their factors.</source>
         <translation>Comptez les lignes qui changent la position dans un pas sans choc, et regardez leurs facteurs.</translation>
     </message>

@@ -146,6 +146,8 @@ protected:
 /// Whether a step is made with another timestep, or not at all.
 [[nodiscard]] std::optional<FlightSaid> stepSaid(const FlightComparison &comparison);
 
+/// That the first step of a run is not made as the next ones are, which are right.
+[[nodiscard]] std::optional<FlightSaid> firstStepSaid(const FlightComparison &comparison);
 /// What is wrong with the way of a circle in a step; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
 

@@ -65,6 +65,8 @@ private:
         if (said.empty()) {
             if (auto fault = leap())
                 said.push_back(*fault);
+            else if (auto first = firstStepSaid(*this))
+                said.push_back(*first);
         }
         return said;
     }
