@@ -18,6 +18,7 @@ private slots:
     void slowMeetingIsTold();
     void slowMeetingThatIsPutApartIsTold();
     void partingIsTold();
+    void meetingCentresAreTold();
     void circlesPutTogetherAreTold();
     void reboundByTheOverlapIsTold();
     void lateByTheNormalIsNoOldRadius();
@@ -91,6 +92,18 @@ void TestToldMeetings::slowMeetingThatIsPutApartIsTold()
     const auto n = numbersIn(said, "They came nearer with # m/s, touched and kept their velocities;"
                                    " with # m/s they are answered.");
     QVERIFY2(n.size() == 2 && n[0] < 0.3, qPrintable(said));
+}
+
+/// In the step in which the centres pass each other, and never after it.
+void TestToldMeetings::meetingCentresAreTold()
+{
+    const QString said = body("L42T10",
+                              {.touch = text("d:dot(oldq - oldp) < 0"),
+                               .normal = text("(oldq - oldp):normalized()"),
+                               .mass = equal},
+                              text("The circles answer where their centres meet"));
+    const auto n = numbersIn(said, "They ran into each other until their centres were # m apart");
+    QVERIFY2(n.size() == 1 && n[0] < 0.03, qPrintable(said));
 }
 
 void TestToldMeetings::circlesPutTogetherAreTold()

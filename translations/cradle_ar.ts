@@ -2071,6 +2071,14 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>تستجيب الدائرتان حين تفترقان لا حين تلتقيان</translation>
     </message>
     <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered in the step in which these passed each other; circles that overlap and move apart are not answered. Rims touch where the centres are r₁ + r₂ apart: look at what their distance is compared with.</source>
+        <translation>دخلت إحداهما في الأخرى حتى صار مركزاهما على بعد ⁦%1 m⁩، وجاءت الاستجابة في الخطوة التي تجاوز فيها كل منهما الآخر؛ أما الدوائر المتداخلة التي تتباعد فلا استجابة لها. تتلامس الحافتان حين يكون المركزان على بعد ⁦r₁ + r₂⁩: انظر بماذا تُقارَن المسافة بينهما.</translation>
+    </message>
+    <message>
+        <source>The circles answer where their centres meet</source>
+        <translation>تستجيب الدائرتان حيث يلتقي مركزاهما</translation>
+    </message>
+    <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
         <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩، واللقاء عند ⁦%3°⁩، استجابتا حين كانت المسافة بين مركزيهما بين ⁨%4⁩ و⁦%5 m⁩.</translation>
     </message>

@@ -2043,6 +2043,14 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Die Kreise antworten, wenn sie sich entfernen, nicht, wenn sie sich treffen</translation>
     </message>
     <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered in the step in which these passed each other; circles that overlap and move apart are not answered. Rims touch where the centres are r₁ + r₂ apart: look at what their distance is compared with.</source>
+        <translation>Sie liefen ineinander, bis ihre Mittelpunkte %1 m auseinander waren, und bekamen ihre Antwort in dem Schritt, in dem diese aneinander vorbeikamen; Kreise, die sich überlappen und auseinanderlaufen, bekommen keine. Ränder berühren sich, wo die Mittelpunkte r₁ + r₂ auseinander sind: Sieh nach, womit ihr Abstand verglichen wird.</translation>
+    </message>
+    <message>
+        <source>The circles answer where their centres meet</source>
+        <translation>Die Kreise antworten, wo sich ihre Mittelpunkte treffen</translation>
+    </message>
+    <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
         <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie bei einem Treffen unter %3°, als ihre Mittelpunkte zwischen %4 und %5 m auseinander waren.</translation>
     </message>

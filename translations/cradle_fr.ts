@@ -2047,6 +2047,14 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Les cercles réagissent quand ils se séparent, pas quand ils se rencontrent</translation>
     </message>
     <message>
+        <source>They ran into each other until their centres were %1 m apart, and were answered in the step in which these passed each other; circles that overlap and move apart are not answered. Rims touch where the centres are r₁ + r₂ apart: look at what their distance is compared with.</source>
+        <translation>Ils sont entrés l&apos;un dans l&apos;autre jusqu&apos;à ce que leurs centres soient à %1 m l&apos;un de l&apos;autre, et ont eu leur réponse au pas où ceux-ci se sont croisés&#xa0;; des cercles qui se recouvrent et s&apos;éloignent n&apos;en ont pas. Les bords se touchent quand les centres sont à r₁ + r₂&#xa0;: regardez à quoi leur distance est comparée.</translation>
+    </message>
+    <message>
+        <source>The circles answer where their centres meet</source>
+        <translation>Les cercles réagissent là où leurs centres se rencontrent</translation>
+    </message>
+    <message>
         <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were between %4 and %5 m apart.</source>
         <translation>Avec r₁ = %1 m et r₂ = %2 m, en se rencontrant sous un angle de %3°, ils ont réagi quand leurs centres étaient entre %4 et %5 m l&apos;un de l&apos;autre.</translation>
     </message>

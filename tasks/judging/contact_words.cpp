@@ -220,6 +220,17 @@ private:
         if (found == m_own.contacts.end())
             return false;
         const PairHit &hit = *found;
+        if (!answersAny(m_own.partings) && !hit.isHeld() && hit.reached == 0.0) {
+            add(ContactText::tr("The circles answer where their centres meet"),
+                ContactText::tr("They ran into each other until their centres were %1 m apart, and "
+                                "were answered in the step in which these passed each other; "
+                                "circles that overlap and move apart are not answered. Rims touch "
+                                "where the centres are r₁ + r₂ apart: look at what their distance "
+                                "is compared with.")
+                    .arg(brief(hit.before)),
+                hit, Suspect::Reach);
+            return true;
+        }
         add(ContactText::tr("The circles answer when they part, not when they meet"),
             (hit.isHeld()
                  ? ContactText::tr("They touched, their places were changed and their "
