@@ -2147,6 +2147,10 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>ويظهر الخطأ نفسه في هذا أيضًا: ⁨%1⁩.</translation>
     </message>
     <message>
+        <source>Line %1 sets a field `%2` of your own, which nothing reads: a circle has a `%3`.</source>
+        <translation>يعيّن السطر ⁨%1⁩ حقلًا خاصًا بك `%2` لا يقرؤه شيء: للدائرة `%3`.</translation>
+    </message>
+    <message>
         <source>The whole velocities change hands and are turned round as well</source>
         <translation>تُتبادل السرعتان كاملتين وتُعكسان أيضًا</translation>
     </message>

@@ -2199,6 +2199,10 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Derselbe Fehler zeigt sich auch hierin: %1.</translation>
     </message>
     <message>
+        <source>Line %1 sets a field `%2` of your own, which nothing reads: a circle has a `%3`.</source>
+        <translation>Zeile %1 setzt ein eigenes Feld `%2`, das nichts liest: Ein Kreis hat `%3`.</translation>
+    </message>
+    <message>
         <source>The whole velocities change hands and are turned round as well</source>
         <translation>Die ganzen Geschwindigkeiten werden getauscht und obendrein umgekehrt</translation>
     </message>

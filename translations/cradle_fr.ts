@@ -2123,6 +2123,10 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La même faute se voit aussi en ceci : %1.</translation>
     </message>
     <message>
+        <source>Line %1 sets a field `%2` of your own, which nothing reads: a circle has a `%3`.</source>
+        <translation>La ligne %1 fixe un champ `%2` à vous, que rien ne lit&#xa0;: un cercle a `%3`.</translation>
+    </message>
+    <message>
         <source>The whole velocities change hands and are turned round as well</source>
         <translation>Les vitesses entières sont échangées et, de plus, inversées</translation>
     </message>

@@ -12,6 +12,7 @@
 #include "tasks/judging/step_deviations.h"
 #include "tasks/judging/task_laws.h"
 #include "tasks/judging/unchanged_words.h"
+#include "tasks/judging/unread_field.h"
 #include "tasks/script/script_limits.h"
 
 #include <algorithm>
@@ -294,6 +295,22 @@ private:
         }
     }
 
+    /// A field that nothing reads, where no other line is known to be at fault.
+    void pointToUnread(Finding &finding) const
+    {
+        const auto field = finding.line == 0 && m_submission.script
+                               ? unreadField(*m_submission.script)
+                               : std::nullopt;
+        if (!field)
+            return;
+        finding.line = field->line;
+        finding.message += QLatin1Char(' ')
+                           + JudgeText::tr("Line %1 sets a field `%2` of your own, which nothing "
+                                           "reads: a circle has a `%3`.")
+                                 .arg(field->line)
+                                 .arg(field->name, field->meant);
+    }
+
     void add(const LawDeviation &deviation, const QString &mistake, const QString &message)
     {
         const CheckOutcome *failed = m_deviations.failedOf(deviation.aspect);
@@ -303,6 +320,7 @@ private:
                         .check = failed ? failed->id : QString()};
         markLastAssignment(finding, deviation.moment, m_task, m_submission);
         m_lines->point(finding, deviation, m_findings);
+        pointToUnread(finding);
         m_findings.push_back(finding);
     }
 
