@@ -326,6 +326,10 @@ void TestToldMeetings::oldRadiusOfTheOwnSceneIsTold()
     QVERIFY2(n.size() == 5, qPrintable(said));
     QVERIFY(isNear(n[4], 0.6));
     QVERIFY(n[2] <= 0.4 && n[3] < 0.5);
+    // How fast they come has no part in it.
+    QVERIFY2(said.contains(text("m. In scenes that have their radii before your program begins "
+                                "they answer in time. Look at when")),
+             qPrintable(said));
 }
 
 /// Near a wall nothing is answered, the first hit as little as a second one.

@@ -4765,8 +4765,16 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تستجيبان والمسافة ⁦%2 m⁩: ومربعها نحو ⁦r₁ + r₂⁩. المربع بوحدة ⁦m²⁩ والطول بوحدة ⁦m⁩.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Thrown with up to %6 m/s along the line of centres they answer in time.</source>
-        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كانت المسافة بين المركزين بين ⁨%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان عند ⁦%5 m⁩. وإذا قُذفتا بسرعة لا تزيد على ⁦%6 m/s⁩ على خط المركزين استجابتا في الوقت الصحيح.</translation>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m.</source>
+        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩ استجابتا حين كانت المسافة بين المركزين بين ⁨%3⁩ و⁦%4 m⁩؛ وتتلامس الحافتان عند ⁦%5 m⁩.</translation>
+    </message>
+    <message>
+        <source>Thrown with up to %1 m/s along the line of centres they answer in time.</source>
+        <translation>وإذا قُذفتا بسرعة لا تزيد على ⁦%1 m/s⁩ على خط المركزين استجابتا في الوقت الصحيح.</translation>
+    </message>
+    <message>
+        <source>In scenes that have their radii before your program begins they answer in time.</source>
+        <translation>في المشاهد التي تكون أنصاف الأقطار فيها معطاة قبل أن يبدأ برنامجك تستجيبان في الوقت الصحيح.</translation>
     </message>
     <message>
         <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>

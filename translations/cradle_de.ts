@@ -4705,8 +4705,16 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Sie antworten bei %2 m Abstand: Das zum Quadrat ist etwa r₁ + r₂. Ein Quadrat hat die Einheit m², eine Länge m.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Thrown with up to %6 m/s along the line of centres they answer in time.</source>
-        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m Abstand hatten; die Ränder berühren sich bei %5 m. Geworfen mit bis zu %6 m/s längs der Verbindungslinie der Mittelpunkte, antworten sie rechtzeitig.</translation>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m.</source>
+        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie, als ihre Mittelpunkte zwischen %3 und %4 m Abstand hatten; die Ränder berühren sich bei %5 m.</translation>
+    </message>
+    <message>
+        <source>Thrown with up to %1 m/s along the line of centres they answer in time.</source>
+        <translation>Geworfen mit bis zu %1 m/s längs der Verbindungslinie der Mittelpunkte, antworten sie rechtzeitig.</translation>
+    </message>
+    <message>
+        <source>In scenes that have their radii before your program begins they answer in time.</source>
+        <translation>In Szenen, deren Radien schon vor dem Beginn deines Programms feststehen, antworten sie rechtzeitig.</translation>
     </message>
     <message>
         <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>

@@ -4705,8 +4705,16 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Ils réagissent à %2 m l&apos;un de l&apos;autre&#xa0;: cela au carré vaut environ r₁ + r₂. Un carré est en m², une longueur en m.</translation>
     </message>
     <message>
-        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m. Thrown with up to %6 m/s along the line of centres they answer in time.</source>
-        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont réagi quand leurs centres étaient entre %3 et %4 m l&apos;un de l&apos;autre&#xa0;; les bords se touchent à %5 m. Lancés à %6 m/s au plus suivant la ligne des centres, ils réagissent à temps.</translation>
+        <source>With r₁ = %1 m and r₂ = %2 m they answered when their centres were between %3 and %4 m apart; rims touch where that is %5 m.</source>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, ils ont réagi quand leurs centres étaient entre %3 et %4 m l&apos;un de l&apos;autre&#xa0;; les bords se touchent à %5 m.</translation>
+    </message>
+    <message>
+        <source>Thrown with up to %1 m/s along the line of centres they answer in time.</source>
+        <translation>Lancés à %1 m/s au plus suivant la ligne des centres, ils réagissent à temps.</translation>
+    </message>
+    <message>
+        <source>In scenes that have their radii before your program begins they answer in time.</source>
+        <translation>Dans des scènes dont les rayons sont déjà là avant le début de votre programme, ils réagissent à temps.</translation>
     </message>
     <message>
         <source>Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>

@@ -265,10 +265,16 @@ private:
                 ? ContactText::tr("In your own scene the circles answer before they touch")
                 : ContactText::tr("In your own scene the circles answer too late"),
             ContactText::tr("With r₁ = %1 m and r₂ = %2 m they answered when their centres were "
-                            "between %3 and %4 m apart; rims touch where that is %5 m. Thrown "
-                            "with up to %6 m/s along the line of centres they answer in time.")
+                            "between %3 and %4 m apart; rims touch where that is %5 m.")
                     .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(hit.reached),
-                         brief(hit.before), brief(hit.meeting.sum()), brief(fastestThrown()))
+                         brief(hit.before), brief(hit.meeting.sum()))
+                + QLatin1Char(' ')
+                + (isOfOldRadii
+                       ? ContactText::tr("In scenes that have their radii before your program "
+                                         "begins they answer in time.")
+                       : ContactText::tr("Thrown with up to %1 m/s along the line of centres they "
+                                         "answer in time.")
+                             .arg(brief(fastestThrown())))
                 + QLatin1Char(' ')
                 + (isOfOldRadii
                        ? ContactText::tr("Look at when your program reads the radii: what is read "
