@@ -72,6 +72,8 @@ void TestWorkspaceNotes::notesThatAreLookedAtAreNotWritten()
     QVERIFY(!looking.saveNote(first, QStringLiteral("Mine.")));
     QCOMPARE(looking.noteOf(first), QStringLiteral("Theirs."));
     QCOMPARE(content(path("w/notes/A.md")), QByteArray("Theirs."));
+    QVERIFY(!looking.keepNote(first));
+    QVERIFY(git(QStringLiteral("for-each-ref refs/cradle/notes")).isEmpty());
 }
 
 void TestWorkspaceNotes::notesHaveVersions()

@@ -5,6 +5,7 @@
 #include "model/files/file_io.h"
 #include "tests/workspace_test.h"
 
+#include <QDir>
 #include <QTest>
 
 using namespace cradle;
@@ -21,6 +22,8 @@ private slots:
     void foreignFileCanBeConverted();
     void foreignFileCanBeSetAside();
     void outsideEditsAreFound();
+    void fileThatComesBackIsAnEdit();
+    void fileThatCouldNotBeWrittenIsNoEdit();
     void outsideEditsAreKept();
     void labFileEditedInBetweenIsTaken();
     void olderLabFileIsNotTaken();
@@ -128,6 +131,33 @@ void TestWorkspaceOutside::outsideEditsAreFound()
     // Of another step lab.lua says nothing.
     QVERIFY(!workspace.save(second, QStringLiteral("-- b\n")));
     QVERIFY(workspace.textOf(lab(), 0));
+    QVERIFY(workspace.outsideEdits(first).empty());
+}
+
+/// Where the step was opened without it, the start is what is shown.
+void TestWorkspaceOutside::fileThatComesBackIsAnEdit()
+{
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab()));
+    QVERIFY(!workspace.save(first, QStringLiteral("-- mine\n")));
+    QVERIFY(QFile::remove(path("w/steps/A.lua")));
+    QCOMPARE(*workspace.textOf(lab(), 0), QStringLiteral("-- starter of A\n"));
+    QVERIFY(!writeFile(path("w/steps/A.lua"), "-- mine\n"));
+    const std::vector<OutsideEdit> expected{{path("w/steps/A.lua"), QStringLiteral("-- mine\n")}};
+    QVERIFY(workspace.outsideEdits(first) == expected);
+}
+
+/// What is typed is ahead of the file then; nobody else has changed that.
+void TestWorkspaceOutside::fileThatCouldNotBeWrittenIsNoEdit()
+{
+    Workspace workspace(path());
+    QVERIFY(!workspace.begin(lab()));
+    QVERIFY(!workspace.save(first, QStringLiteral("-- mine\n")));
+    QVERIFY(QFile::remove(path("w/lab.lua")));
+    QVERIFY(QDir().mkdir(path("w/lab.lua")));
+    QVERIFY(workspace.save(first, QStringLiteral("-- mine, and a key\n")));
+    QVERIFY(QDir().rmdir(path("w/lab.lua")));
+    QCOMPARE(*workspace.textOf(lab(), 0), QStringLiteral("-- mine, and a key\n"));
     QVERIFY(workspace.outsideEdits(first).empty());
 }
 

@@ -81,8 +81,10 @@ Result<std::optional<QString>> Workspace::ownText(const QString &taskId) const
     const QString path = pathOf(taskId);
     if (m_folder.isEmpty())
         return std::optional<QString>();
-    if (!QFile::exists(path))
+    if (!QFile::exists(path)) {
+        m_known.erase(path);
         return std::optional<QString>();
+    }
     const auto bytes = readFile(path, mostBytes);
     if (!bytes)
         return bytes.error();
@@ -95,7 +97,6 @@ Result<QString> Workspace::textOf(const Lab &lab, int index) const
 {
     const Task &task = lab.tasks[static_cast<std::size_t>(index)];
     if (!m_folder.isEmpty()) {
-        m_known.erase(pathOf(task.id));
         // One that is no program is not known: before it is replaced, it is kept.
         if (const auto bytes = contentOf(labPath()); bytes && programFrom(*bytes, labPath()))
             m_known[labPath()] = *bytes;

@@ -97,7 +97,7 @@ std::optional<Error> Workspace::keepOthersNote(const QString &taskId)
 
 std::optional<Error> Workspace::keepNote(const QString &taskId)
 {
-    if (!m_history || m_lookedAt || m_folder.isEmpty())
+    if (!m_history || m_lookedAt)
         return std::nullopt;
     const auto bytes = readFile(notePath(taskId), noteBytes);
     return bytes ? m_history->keepNote(taskId, *bytes, m_info.student) : std::nullopt;
