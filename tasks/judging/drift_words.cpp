@@ -101,11 +101,10 @@ private:
                            [&](double s) { return isOneMethod(s, share); });
     }
 
-    /// Whether what is left is the same under another gravity, with that power of Δt.
+    /// Whether what is left with that power of Δt is another under half the gravity.
     [[nodiscard]] bool isOfGravity(int power, Vec2 g, Vec2 besides) const
     {
-        const Vec2 other = g == Vec2{} ? Vec2{0.0, -2.0} : 0.5 * g;
-        const Flight &f = m_own.at(other, m_h[0], m_i);
+        const Flight &f = m_own.at(0.5 * g, m_h[0], m_i);
         return std::none_of(shares.begin(), shares.end(), [&](double share) {
             const Vec2 same =
                 (f.drift - share * m_h[0] * m_h[0] * f.acceleration) / std::pow(m_h[0], power);

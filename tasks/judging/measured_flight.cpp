@@ -18,9 +18,10 @@ MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
     if (!probe.runs())
         return;
     const std::vector<Circle> before = probe.world().circles;
-    m_own.runs = probe.step();
+    if (!probe.step())
+        return;
     const std::vector<Circle> between = probe.world().circles;
-    const bool goesOn = m_own.runs && probe.step();
+    const bool goesOn = probe.step();
     for (std::size_t i = 0; i < before.size(); ++i) {
         const Vec2 first = between[i].velocity - before[i].velocity;
         const Vec2 second =

@@ -39,9 +39,8 @@ public:
 
     /// The student's own scene as he starts it, and how its circles then fall in its first step.
     struct Own {
-        bool runs = false;
         Preset scene{};
-        std::vector<Vec2> accelerations{}; ///< m/s²
+        std::vector<Vec2> accelerations{}; ///< m/s²; none where the program stops
         std::vector<Vec2> later{};         ///< the same of the second step, m/s²
         std::vector<Vec2> ways{};          ///< of the first step, m
 

@@ -55,7 +55,7 @@ public:
     {
         const MeasuredFlight::Own &own = m_own.own();
         const auto i = static_cast<std::size_t>(m_i);
-        if (!own.runs || i >= own.accelerations.size())
+        if (i >= own.accelerations.size())
             return std::nullopt;
         const Vec2 right = own.scene.gravity;
         const Vec2 braked = flight(0).growth;
@@ -95,7 +95,7 @@ public:
     {
         const MeasuredFlight::Own &own = m_own.own();
         const auto i = static_cast<std::size_t>(m_i);
-        if (!own.runs || i >= own.accelerations.size() || own.unsteadiness(i) <= comesAgain
+        if (i >= own.accelerations.size() || own.unsteadiness(i) <= comesAgain
             || !isAlone(own.scene, i))
             return std::nullopt;
         const double h = own.scene.timestep;

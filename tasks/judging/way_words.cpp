@@ -126,7 +126,7 @@ private:
     {
         const MeasuredFlight::Own &own = m_own.own();
         const auto i = static_cast<std::size_t>(m_i);
-        if (!own.runs || i >= own.ways.size())
+        if (i >= own.ways.size())
             return std::nullopt;
         const double h = own.scene.timestep;
         const Vec2 v = own.scene.circles[i].body.velocity;
