@@ -19,6 +19,9 @@ QString headlineOf(const Finding &finding)
     return finding.message.section(QLatin1Char('\n'), 0, 0);
 }
 
+const QString wholeSwapped =
+    parts::lab("if closing > 0 then p.velocity, q.velocity = q.velocity, p.velocity end");
+
 } // namespace
 
 class TestDiagnosis : public QObject
@@ -28,6 +31,8 @@ private slots:
     void initTestCase();
     void mistakeOfAnotherFormIsRecognised_data();
     void mistakeOfAnotherFormIsRecognised();
+    void mistakeOfMoreThanThatExplainsNothing_data();
+    void mistakeOfMoreThanThatExplainsNothing();
     void unknownMistakeIsMeasured_data();
     void unknownMistakeIsMeasured();
     void remarkIsMadeOnAnotherForm_data();
@@ -133,9 +138,8 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     row("L42T10", "first overwritten", "temp-forgotten", [](OtherForm &f) {
         f.answer = lab("if closing > 0 then p.velocity = q.velocity q.velocity = p.velocity end");
     });
-    row("L42T11", "whole velocity", "whole-velocity-swapped", [](OtherForm &f) {
-        f.answer = lab("if closing > 0 then p.velocity, q.velocity = q.velocity, p.velocity end");
-    });
+    row("L42T11", "whole velocity", "whole-velocity-swapped",
+        [](OtherForm &f) { f.answer = wholeSwapped; });
     row("L42T12", "second part forgotten", "second-part-ignored", [](OtherForm &f) {
         f.answer = lab("local part = p.velocity:dot(n) * n if closing > 0 then "
                        "p.velocity, q.velocity = p.velocity - part, q.velocity + part end");
@@ -147,7 +151,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
     });
     row("L42T12", "whole velocity, Euler", "whole-velocity-swapped", [](OtherForm &f) {
         f.integrate = euler;
-        f.answer = lab("if closing > 0 then p.velocity, q.velocity = q.velocity, p.velocity end");
+        f.answer = wholeSwapped;
     });
     row("L42T13", "radius of circle 1 twice", "twice-the-first-radius",
         [](OtherForm &f) { f.reach = lab("circle1.radius + circle1.radius"); });
@@ -212,6 +216,37 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised()
                  && (report.diagnosis()->mistake == mistake
                      || headlineOf(*report.diagnosis()) == mistake),
              say(report).constData());
+}
+
+void TestDiagnosis::mistakeOfMoreThanThatExplainsNothing_data()
+{
+    QTest::addColumn<OtherForm>("mistake");
+    QTest::addColumn<bool>("explains");
+    using namespace parts;
+    const auto row = [](const char *name, bool explains, const FormChange &change) {
+        OtherForm form = otherForm(lab("L42T12"));
+        form.answer = wholeSwapped;
+        change(form);
+        QTest::newRow(name) << form << explains;
+    };
+    row("no more", true, [](OtherForm &f) { f.walls = clamp; });
+    row("the walls, too", false, [](OtherForm &f) { edit(f.walls, "y > room", "false"); });
+    row("the contact, too", false, [](OtherForm &f) { f.reach += lab(" + 0.02"); });
+}
+
+/// What is said of it would be said of what the student has right.
+void TestDiagnosis::mistakeOfMoreThanThatExplainsNothing()
+{
+    using parts::lab;
+    QFETCH(OtherForm, mistake);
+    Lab own = m_lab;
+    Task &task = own.tasks.at(static_cast<std::size_t>(own.indexOf(lab("L42T12"))));
+    task.mistakes = {{lab("mine"), mistake.source(), lab("Mine\n\nAll of it.")}};
+    OtherForm form = otherForm(task.id);
+    form.answer = wholeSwapped;
+    const CheckReport report = *judgeTask(own, task, Submission(task.preset, form.source()), 1);
+    QVERIFY2(!report.passed && report.diagnosis(), say(report).constData());
+    QTEST(report.diagnosis()->mistake == lab("mine"), "explains");
 }
 
 void TestDiagnosis::unknownMistakeIsMeasured_data()

@@ -57,6 +57,7 @@ private slots:
     void frameTimeGivesOneStepAFrame();
     void frameTimeIsCappedToo();
     void anotherStepLengthBeginsAnew();
+    void aStepThatPausesIsTheLastOfItsFrame();
     void startsAndPauses();
     void startingForgetsWhatWasLeft();
 };
@@ -249,6 +250,21 @@ void TestSimulationClock::anotherStepLengthBeginsAnew()
     QCOMPARE(listener.steps.size(), std::size_t{0});
     clock.tick(0.03125);
     QVERIFY(listener.steps == std::vector{0.03125});
+}
+
+/// Half a step is left of the other three, whatever made it pause.
+void TestSimulationClock::aStepThatPausesIsTheLastOfItsFrame()
+{
+    constexpr double step = 0.0625; // s
+    SimulationClock clock(step);
+    Listener listener(clock);
+    connect(&clock, &SimulationClock::stepDue, &listener.context, [&clock] { clock.pause(); });
+    clock.tick(4.0 * step);
+    QCOMPARE(listener.steps.size(), std::size_t{1});
+    clock.tick(0.4375 * step);
+    QCOMPARE(listener.steps.size(), std::size_t{1});
+    clock.tick(0.0625 * step);
+    QCOMPARE(listener.steps.size(), std::size_t{2});
 }
 
 void TestSimulationClock::startsAndPauses()
