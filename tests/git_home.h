@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
+
 #include <QFile>
 #include <QProcess>
 #include <QString>
@@ -27,7 +29,7 @@ public:
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.setWorkingDirectory(folder);
         process.start(QStringLiteral("git"), arguments);
-        if (!process.waitForFinished(60'000) || process.exitCode() != 0)
+        if (!process.waitForFinished(patience) || process.exitCode() != 0)
             return QStringLiteral("failed: ") + QString::fromUtf8(process.readAll());
         return QString::fromUtf8(process.readAll()).trimmed();
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/files/file_io.h"
+#include "tests/patience.h"
 
 #include <QProcess>
 #include <QStandardPaths>
@@ -52,7 +53,7 @@ print('\n'.join(reader.faults + ['open ' + tag for tag in reader.stack]), end=''
         QProcess process;
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.start(program, arguments);
-        if (!process.waitForFinished(60'000))
+        if (!process.waitForFinished(patience))
             return QByteArray("does not run");
         return process.readAll();
     };

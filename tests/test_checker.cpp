@@ -4,6 +4,7 @@
 
 #include "model/files/preset_json.h"
 #include "tasks/reading/lab_reader.h"
+#include "tests/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>

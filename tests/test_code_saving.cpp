@@ -6,6 +6,7 @@
 #include "full_disk.h"
 #include "git_folder_test.h"
 #include "model/files/file_io.h"
+#include "tests/patience.h"
 #include "tests/typist.h"
 
 #include <QProcess>
@@ -114,7 +115,7 @@ void TestCodeSaving::fullDiskKeepsTheText()
     QCOMPARE(session.text(), longText);
     QCOMPARE(content(path("w/steps/A.lua")), QByteArray("-- mine\n"));
     // It is tried again by itself.
-    QTRY_VERIFY_WITH_TIMEOUT(session.isSaved(), 20'000);
+    QTRY_VERIFY(session.isSaved());
     QCOMPARE(savedAgain.size(), 1);
     QCOMPARE(content(path("w/steps/A.lua")), longText.toUtf8());
 }
@@ -175,7 +176,7 @@ void TestCodeSaving::otherProcessIsNamedAndEnds()
 {
     QProcess other;
     other.start(ownProgram(), {QStringLiteral("--type"), path()});
-    QVERIFY(other.waitForReadyRead(30'000));
+    QVERIFY(other.waitForReadyRead(patience));
     Simulation simulation{Preset{}};
     CodeSession session(simulation);
     open(session, path());
@@ -186,7 +187,7 @@ void TestCodeSaving::otherProcessIsNamedAndEnds()
     QVERIFY(content(path("w/steps/A.lua")) != "-- mine\n");
     // Its lock dies with it.
     other.kill();
-    QVERIFY(other.waitForFinished());
+    QVERIFY(other.waitForFinished(patience));
     open(session, path());
     QVERIFY(session.isEditable());
     session.edit(QStringLiteral("-- mine\n"));

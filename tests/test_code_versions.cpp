@@ -5,6 +5,7 @@
 #include "code_in_folder.h"
 #include "git_folder_test.h"
 #include "model/files/file_io.h"
+#include "tests/patience.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -38,7 +39,7 @@ void TestCodeVersions::someMinutesOfTypingKeepAVersion()
     QVERIFY(versions().empty());
     for (std::size_t count = 1; count <= 3; ++count) {
         session.edit(QStringLiteral("-- %1\n").arg(count));
-        QTRY_COMPARE_WITH_TIMEOUT(versions().size(), count, 20'000);
+        QTRY_COMPARE(versions().size(), count);
         QCOMPARE(versions()[0].note.reason, VersionReason::Typed);
         QVERIFY(!versions()[0].note.passed);
         QCOMPARE(*session.workspace().history()->textOf(versions()[0]),
@@ -84,7 +85,7 @@ void TestCodeVersions::outsideEditIsTaken()
     session.save();
     QSignalSpy outside(&session, &CodeSession::changedOutside);
     QVERIFY(!writeFile(path("w/steps/A.lua"), "-- theirs\n"));
-    QTRY_COMPARE_WITH_TIMEOUT(outside.size(), 1, 20'000);
+    QTRY_COMPARE(outside.size(), 1);
     QVERIFY(outside[0][0].toBool());
     QCOMPARE(session.text(), QStringLiteral("-- theirs\n"));
     QCOMPARE(content(path("w/lab.lua")), QByteArray("-- theirs\n"));

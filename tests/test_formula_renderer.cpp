@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/patience.h"
 #include "views/formula_renderer.h"
 
 #include <QDir>
@@ -15,10 +16,9 @@
 
 using cradle::Formula;
 using cradle::FormulaRenderer;
+using cradle::patience;
 
 namespace {
-
-constexpr int patience = 20000; // ms; MathJax takes 0.3 s, and far longer under sanitizers
 
 /// The answer to one request, or a formula without any state that a test expects.
 Formula answerOf(FormulaRenderer &renderer, const QString &tex, bool display = false)
@@ -176,7 +176,7 @@ void TestFormulaRenderer::answersOnceForTheSameFormula()
     renderer.request(QStringLiteral("a"), false);
     renderer.request(QStringLiteral("a"), false);
     renderer.request(QStringLiteral("b"), false); // answered after all of a
-    QTRY_COMPARE_WITH_TIMEOUT(spy.count(), 2, patience);
+    QTRY_COMPARE(spy.count(), 2);
     QCOMPARE(spy.at(0).at(0).toString(), QStringLiteral("a"));
     QCOMPARE(spy.at(1).at(0).toString(), QStringLiteral("b"));
 }
@@ -253,7 +253,7 @@ void TestFormulaRenderer::letsMathJaxGoWhileNoFormulaIsAskedFor()
     QVERIFY(!renderer.isLoaded());
     QCOMPARE(answerOf(renderer, QStringLiteral("a^{17}")).state, Formula::State::Ready);
     QVERIFY(renderer.isLoaded());
-    QTRY_VERIFY_WITH_TIMEOUT(!renderer.isLoaded(), patience);
+    QTRY_VERIFY(!renderer.isLoaded());
     // What is known needs none; what is new brings it back.
     QCOMPARE(answerOf(renderer, QStringLiteral("a^{17}")).state, Formula::State::Ready);
     QVERIFY(!renderer.isLoaded());

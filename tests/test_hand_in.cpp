@@ -7,6 +7,7 @@
 #include "tasks/lab_report/report_html.h"
 #include "tasks/reading/lab_reader.h"
 #include "tasks/workspace/workspace.h"
+#include "tests/patience.h"
 
 #include <QDir>
 #include <QTest>
@@ -151,7 +152,7 @@ void TestHandIn::unzipReadsIt()
     QProcess unzip;
     unzip.start(QStringLiteral("unzip"), {QStringLiteral("-q"), path("ada.cradle-work"),
                                           QStringLiteral("-d"), path("unzipped")});
-    QVERIFY(unzip.waitForFinished());
+    QVERIFY(unzip.waitForFinished(patience));
     QCOMPARE(unzip.exitCode(), 0);
     QVERIFY(QFile::exists(path("unzipped/steps/BALL1.lua")));
     const QString said =

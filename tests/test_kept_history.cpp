@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/handed_repository.h"
 #include "tasks/workspace/kept_history.h"
+#include "tests/patience.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -70,7 +71,7 @@ QString TestKeptHistory::git(const QStringList &arguments) const
                                            text("user.email=ada@example.org")}
                                    + arguments);
     process.closeWriteChannel();
-    return process.waitForFinished() && process.exitCode() == 0
+    return process.waitForFinished(patience) && process.exitCode() == 0
                ? QString::fromUtf8(process.readAllStandardOutput()).trimmed()
                : QString();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "packed_lab.h"
 #include "tests/authoring_labs.h"
+#include "tests/patience.h"
 #include "tests/zip_maker.h"
 
 #include "tasks/reading/lab_archive.h"
@@ -79,7 +80,7 @@ void TestLabArchive::otherProgramsCanReadIt()
     unzip.start(text("python3"), {text("-m"), text("zipfile"), text("-t"), path});
     if (!unzip.waitForStarted())
         QSKIP("python3 is not installed");
-    QVERIFY(unzip.waitForFinished());
+    QVERIFY(unzip.waitForFinished(patience));
     QCOMPARE(unzip.exitCode(), 0);
 }
 

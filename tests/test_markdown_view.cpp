@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/patience.h"
 #include "views/formula_renderer.h"
 #include "views/markdown_view.h"
 
@@ -16,10 +17,10 @@
 
 using cradle::FormulaRenderer;
 using cradle::MarkdownView;
+using cradle::patience;
 
 namespace {
 
-constexpr int patience = 20000; // ms; MathJax takes 0.3 s, and far longer under sanitizers
 const QChar object = QChar::ObjectReplacementCharacter;
 
 class Browser : public QObject
@@ -126,7 +127,7 @@ void TestMarkdownView::show(MarkdownView &view, const QByteArray &markdown, int 
     QSignalSpy spy(&m_renderer, &FormulaRenderer::ready);
     view.setMarkdown(QString::fromUtf8(markdown),
                      QUrl::fromLocalFile(m_folder.filePath(QStringLiteral("lab"))));
-    QTRY_COMPARE_WITH_TIMEOUT(spy.count(), formulas, patience);
+    QTRY_COMPARE(spy.count(), formulas);
 }
 
 void TestMarkdownView::showsTexUntilFormulaIsReady()

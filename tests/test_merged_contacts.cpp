@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/run/simulation.h"
 #include "model/world/measurements.h"
+#include "tests/patience.h"
 #include "tests/scenes.h"
 
 #include <QSignalSpy>

@@ -4,6 +4,7 @@
 
 #include "git_home.h"
 #include "tasks/reading/lab_reader.h"
+#include "tests/patience.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -147,7 +148,7 @@ void TestOpenedSteps::referenceOfALeftMomentDoesNotCome()
     m_bench->moment().show(momentIn(m_bench->lab().tasks[1].preset));
     QVERIFY(m_bench->document().isVisiting());
     m_bench->document().leave();
-    QVERIFY(QThreadPool::globalInstance()->waitForDone(30'000));
+    QVERIFY(QThreadPool::globalInstance()->waitForDone(patience));
     QCoreApplication::processEvents();
     QVERIFY(!m_bench->moment().ghost());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reference_run.h"
 
+#include "tests/patience.h"
 #include "tests/scenes.h"
 
 #include <QSignalSpy>
@@ -64,7 +65,7 @@ void TestReferenceRun::eventsAreHandledWhileItRuns()
     QTRY_VERIFY(turns >= 3);
     QCOMPARE(finished.size(), 0);
     reference.cancel();
-    QVERIFY(QThreadPool::globalInstance()->waitForDone(30'000)); // it ends soon
+    QVERIFY(QThreadPool::globalInstance()->waitForDone(patience)); // it ends soon
     QCoreApplication::processEvents();
     QCOMPARE(finished.size(), 0);
 }

@@ -4,6 +4,7 @@
 #include "model/run/runner.h"
 #include "model/run/simulation.h"
 
+#include "tests/patience.h"
 #include "tests/simulation_scenes.h"
 
 #include <QSemaphore>
@@ -15,8 +16,6 @@ using namespace cradle;
 using namespace cradle::scenes;
 
 namespace {
-
-constexpr int patience = 10'000; ///< ms, after which a program that waits goes on: the test fails
 
 /// Lets circles fly until a wall at x = 1 m turns them; plots x. From step \p waits on it only goes
 /// on if it is let; what it claims to work makes a search leave the GUI thread after a step.
@@ -231,7 +230,7 @@ void TestSearchThread::whatIsTakenMakesRoom()
             ++taken;
         return taken == steps;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(takeAll(), 60'000);
+    QTRY_VERIFY(takeAll());
     QTRY_VERIFY(ahead.isDone());
 }
 

@@ -4,6 +4,7 @@
 
 #include "model/run/simulation.h"
 #include "model/world/measurements.h"
+#include "tests/patience.h"
 #include "tests/scenes.h"
 #include "tests/showing_program.h"
 
@@ -203,7 +204,7 @@ void TestShadowRun::staysInStepWithFrameTime()
     QSignalSpy frames(&simulation, &Simulation::frameReady);
     simulation.start();
     while (simulation.recording().last() < 8)
-        QVERIFY(frames.wait());
+        QVERIFY(frames.wait(patience));
     simulation.pause();
     simulation.setFrameTime(false);
     stepForward(simulation, 3);

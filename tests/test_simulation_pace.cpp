@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/run/simulation.h"
 
+#include "tests/patience.h"
 #include "tests/scenes.h"
 #include "tests/simulation_scenes.h"
 
@@ -150,7 +151,7 @@ void TestSimulationPace::runsByItself()
     Simulation simulation(lively());
     QSignalSpy frames(&simulation, &Simulation::frameReady);
     simulation.start();
-    QVERIFY(frames.wait());
+    QVERIFY(frames.wait(patience));
     simulation.pause();
     const qint64 last = simulation.recording().last();
     QVERIFY(last >= 1);
@@ -167,7 +168,7 @@ void TestSimulationPace::frameTimeStepsAsLongAsTheFrames()
     QSignalSpy frames(&simulation, &Simulation::frameReady);
     simulation.start();
     while (simulation.recording().last() < 3)
-        QVERIFY(frames.wait());
+        QVERIFY(frames.wait(patience));
     simulation.pause();
     const Recording &recording = simulation.recording();
     for (qint64 i = 1; i <= 3; ++i) {
@@ -194,7 +195,7 @@ void TestSimulationPace::timeGoesOnAfterFrameTime()
     QSignalSpy frames(&simulation, &Simulation::frameReady);
     simulation.start();
     while (simulation.recording().last() < 3)
-        QVERIFY(frames.wait());
+        QVERIFY(frames.wait(patience));
     simulation.pause();
     simulation.setFrameTime(false);
     const double before = simulation.time();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/theme.h"
 
+#include "tests/patience.h"
 #include "tests/wcag.h"
 
 #include <QAbstractItemView>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 
 #include <QCoreApplication>
@@ -53,12 +54,12 @@ inline std::vector<std::unique_ptr<QProcess>> typistsIn(const QStringList &folde
 inline int keysUntilKilled(QProcess &process, int most)
 {
     int keys = 0;
-    while (keys < most && process.waitForReadyRead(60'000)) {
+    while (keys < most && process.waitForReadyRead(patience)) {
         while (process.canReadLine())
             keys = process.readLine().trimmed().toInt();
     }
     process.kill();
-    if (!process.waitForFinished())
+    if (!process.waitForFinished(patience))
         return 0;
     for (const QByteArray &line : process.readAll().split('\n'))
         keys = std::max(keys, line.trimmed().toInt());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 #include "tests/text.h"
 
@@ -15,6 +16,7 @@
 
 namespace cradle::programs {
 
+using cradle::patience;
 using cradle::text;
 
 /// What a program that ended has left behind.
@@ -33,9 +35,6 @@ struct Outcome {
             .toUtf8();
     }
 };
-
-/// Longer than any of these runs takes, also with sanitizers, ms.
-inline constexpr int patience = 120'000;
 
 /// Runs \p program to its end. Its home is \p home (a temporary folder): nothing is left behind.
 inline Outcome

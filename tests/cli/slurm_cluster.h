@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/cli/program_run.h"
+#include "tests/patience.h"
 
 #include <QDir>
 #include <QRandomGenerator>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
+#include "tests/patience.h"
 
 #include "tasks/work/student_work.h"
 #include "tasks/work/work_archive.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
+#include "tests/patience.h"
 
 #include <QStandardPaths>
 
@@ -189,7 +190,7 @@ void TestCliGradeBrokenOff::stoppedGraderLeavesNoWorkers()
     process.kill();
     process.waitForFinished(patience);
     for (const pid_t worker : workers)
-        QTRY_VERIFY_WITH_TIMEOUT(!isThere(worker), patience);
+        QTRY_VERIFY(!isThere(worker));
     QCOMPARE(resultsIn(made, text("out")), 0);
 }
 
@@ -204,7 +205,7 @@ void TestCliGradeBrokenOff::graderKilledWhileBubblewrapStartsLeavesNothing()
         made, "sleep infinity &\necho $$ $! > '" + note.toUtf8() + "'\nsleep infinity\n"));
     process.start(cradle::cliProgram(), made.arguments(text("out")));
     QVERIFY(process.waitForStarted());
-    QTRY_VERIFY_WITH_TIMEOUT(contentOf(note).endsWith('\n'), patience);
+    QTRY_VERIFY(contentOf(note).endsWith('\n'));
     const QByteArrayList started = contentOf(note).trimmed().split(' ');
     QCOMPARE(started.size(), 2);
     const auto all = descendantsOf(process.processId());
@@ -212,9 +213,9 @@ void TestCliGradeBrokenOff::graderKilledWhileBubblewrapStartsLeavesNothing()
     process.kill();
     process.waitForFinished(patience);
     for (const pid_t one : all)
-        QTRY_VERIFY_WITH_TIMEOUT(!isThere(one), patience);
+        QTRY_VERIFY(!isThere(one));
     for (const QByteArray &one : started)
-        QTRY_VERIFY_WITH_TIMEOUT(!isThere(static_cast<pid_t>(one.toInt())), patience);
+        QTRY_VERIFY(!isThere(static_cast<pid_t>(one.toInt())));
 }
 
 /// The first is killed, and what it has started keeps the line to the grader open.
@@ -235,7 +236,7 @@ void TestCliGradeBrokenOff::killedBubblewrapLeavesNobodyWaiting()
     QCOMPARE(made.differing(text("out"), text("whole")), QStringList());
     const auto waiting = static_cast<pid_t>(contentOf(made.at(text("note"))).trimmed().toInt());
     QVERIFY(waiting > 0);
-    QTRY_VERIFY_WITH_TIMEOUT(!isThere(waiting), patience);
+    QTRY_VERIFY(!isThere(waiting));
 }
 
 void TestCliGradeBrokenOff::killedGuardLeavesNobodyWaiting_data()
@@ -266,7 +267,7 @@ void TestCliGradeBrokenOff::killedGuardLeavesNobodyWaiting()
     const QByteArrayList left = contentOf(made.at(text("note"))).trimmed().split('\n');
     QCOMPARE(left.size(), std::min(kills, 5)); // so often it is tried
     for (const QByteArray &one : left)
-        QTRY_VERIFY_WITH_TIMEOUT(!isThere(static_cast<pid_t>(one.toInt())), patience);
+        QTRY_VERIFY(!isThere(static_cast<pid_t>(one.toInt())));
 }
 
 void TestCliGradeBrokenOff::stopIsCleanAndResumable()

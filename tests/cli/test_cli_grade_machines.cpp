@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/graded_class.h"
 #include "tests/cli/slurm_cluster.h"
+#include "tests/patience.h"
 
 #include <csignal>
 

@@ -4,6 +4,7 @@
 
 #include "model/files/file_io.h"
 #include "tasks/work/work_archive.h"
+#include "tests/patience.h"
 
 #include <QDir>
 #include <QProcess>
@@ -113,7 +114,7 @@ void TestCliHandIn::programsRunInCells()
         }
     }
     QVERIFY(found);
-    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(120'000));
+    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(patience));
 }
 
 void TestCliHandIn::unwritableIsExitThree()

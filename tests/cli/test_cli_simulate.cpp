@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/simulate_test.h"
+#include "tests/patience.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/markdown_view.h"
 
 #include <QDataStream>
@@ -42,7 +43,7 @@ inline void calm(const QWidget &window)
         before.swap(now);
         return rounds >= 3;
     };
-    QVERIFY(QTest::qWaitFor(isCalm, 30'000));
+    QVERIFY(QTest::qWaitFor(isCalm, patience));
 }
 
 } // namespace cradle

@@ -4,6 +4,7 @@
 
 #include "open_window.h"
 #include "tests/git_home.h"
+#include "tests/patience.h"
 
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
@@ -14,8 +15,6 @@
 #include <memory>
 
 namespace cradle::windows {
-
-constexpr int patience = 60'000; ///< ms
 
 /// A student's files in a folder that is each test's own, and what a student does in a window.
 class KeepingFixture

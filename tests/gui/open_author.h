@@ -4,6 +4,7 @@
 
 #include "app/author_window.h"
 #include "app/notice_bar.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 #include "views/author/checks_tab.h"
 #include "views/author/markdown_editor.h"

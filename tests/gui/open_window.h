@@ -8,6 +8,7 @@
 #include "model/files/preset_json.h"
 #include "tasks/reading/lab_reader.h"
 #include "tests/gui/typed_cell.h"
+#include "tests/patience.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/inspector/inspector.h"
 #include "views/inspector/number_field.h"
@@ -97,9 +98,8 @@ public:
     void check()
     {
         click(QStringLiteral("Check"));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.check().report() && !window.transportBar().isChecking()
-                                     && !bench.check().awaitsRun(),
-                                 60'000);
+        QTRY_VERIFY(bench.check().report() && !window.transportBar().isChecking()
+                    && !bench.check().awaitsRun());
     }
 
     QSettings settings;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
 #include "views/frame_throttle.h"
 
 #include <QApplication>
@@ -24,7 +25,7 @@ inline void settle()
         return true;
     };
     QCoreApplication::processEvents();
-    QVERIFY(QTest::qWaitFor(isSettled));
+    QVERIFY(QTest::qWaitFor(isSettled, patience));
     QCoreApplication::processEvents();
 }
 

@@ -4,6 +4,7 @@
 
 #include "tests/gui/open_window.h"
 #include "tests/gui/writing_test.h"
+#include "tests/patience.h"
 #include "views/code/code_pane.h"
 
 #include <QDropEvent>

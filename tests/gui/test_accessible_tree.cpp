@@ -4,6 +4,7 @@
 #include "app/main_window.h"
 #include "tests/gui/calm.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "views/charts/chart_plot.h"
 #include "views/markdown_view.h"
 #include "views/spoken_formula.h"

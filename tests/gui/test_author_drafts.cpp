@@ -5,6 +5,7 @@
 #include "app/author_window.h"
 #include "tasks/authoring/lab_draft.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 #include "tests/typist.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"

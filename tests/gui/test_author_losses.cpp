@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
@@ -220,7 +221,7 @@ void TestAuthorLosses::reloadAsksAndShowsTheDifference()
     QFile file(folder.filePath(QStringLiteral("ball/BALL1/instructions.md")));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("# Theirs\n") > 0);
     file.close();
-    QTRY_VERIFY_WITH_TIMEOUT(author.window.notice().isVisible(), 10'000);
+    QTRY_VERIFY(author.window.notice().isVisible());
     QString shown;
     QString standard;
     const auto look = [&](DifferenceDialog *dialog) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
@@ -44,7 +45,7 @@ void waitForProof(OpenAuthor &author, const QString &button)
 {
     author.window.panes().showTab(AuthorWindow::Proof);
     author.click(button);
-    QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
+    QTRY_VERIFY(!author.window.proofTab().isRunning());
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
@@ -160,7 +161,7 @@ void TestAuthorQuestions::studentAnswersWhatWasWritten()
     QCOMPARE(student.bench.progress().answers().value(QStringLiteral("speed")),
              QJsonValue(QStringLiteral("9.9 km/h")));
     student.bench.check().start();
-    QTRY_VERIFY_WITH_TIMEOUT(student.bench.check().report(), 60'000);
+    QTRY_VERIFY(student.bench.check().report());
     QCOMPARE(student.bench.check().report()->checks.back().message,
              QStringLiteral("the number is right, but not in km/h"));
     student.bench.progress().save();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
@@ -111,7 +112,7 @@ void TestAuthorSaving::otherProgramsAreNoticed()
     QVERIFY(!author.window.notice().isVisible());
 
     write(place + QLatin1Char('/') + text, "# Theirs\n");
-    QTRY_VERIFY_WITH_TIMEOUT(author.window.notice().isVisible(), 10'000);
+    QTRY_VERIFY(author.window.notice().isVisible());
     QVERIFY(author.window.notice().text().contains(text));
     author.click(QStringLiteral("Reload"));
     QCOMPARE(textOf(author.files(), text), QStringLiteral("# Theirs\n"));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
@@ -38,7 +39,7 @@ QString tried(OpenAuthor &author, const QString &program)
     author.find<QComboBox>("trialProgram")->setCurrentText(program);
     author.click(QStringLiteral("Try this check"));
     auto *result = author.find<QLabel>("trialResult");
-    if (!QTest::qWaitFor([&] { return result->text() != QStringLiteral("Running…"); }, 60'000))
+    if (!QTest::qWaitFor([&] { return result->text() != QStringLiteral("Running…"); }, patience))
         return QStringLiteral("nothing came");
     return result->text();
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_author.h"
+#include "tests/patience.h"
 
 #include "app/author_window.h"
 #include "tasks/authoring/lab_edits.h"
@@ -35,7 +36,7 @@ void verify(OpenAuthor &author)
 {
     author.window.panes().showTab(AuthorWindow::Proof);
     author.click(QStringLiteral("Verify this step"));
-    QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
+    QTRY_VERIFY(!author.window.proofTab().isRunning());
     QVERIFY(author.window.proofTab().result());
 }
 
@@ -157,7 +158,7 @@ void TestAuthorWays::suggestedMistakeIsTakenOver()
     const QStringList before = knownNames(author.files(), step, KnownKind::Mistake);
     author.window.panes().showTab(AuthorWindow::Proof);
     author.click(QStringLiteral("Suggest mistakes"));
-    QTRY_VERIFY_WITH_TIMEOUT(!author.window.proofTab().isRunning(), 120'000);
+    QTRY_VERIFY(!author.window.proofTab().isRunning());
     auto *rows = author.find<QScrollArea>("proofRows");
     QVERIFY(rows->isVisible());
     QPushButton *taken = nullptr;

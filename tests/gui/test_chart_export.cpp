@@ -5,6 +5,7 @@
 #include "tests/gui/chart_reading.h"
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"

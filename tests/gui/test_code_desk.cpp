@@ -3,6 +3,7 @@
 #include "open_window.h"
 
 #include "app/code_desk.h"
+#include "tests/patience.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 
@@ -56,7 +57,7 @@ private:
     {
         QSignalSpy ended(&m_open->bench.check(), &WorkCheck::reported);
         m_open->bench.check().start();
-        QVERIFY(!ended.isEmpty() || ended.wait(30'000));
+        QVERIFY(!ended.isEmpty() || ended.wait(patience));
         QTRY_VERIFY(!m_open->bench.check().awaitsRun());
     }
 

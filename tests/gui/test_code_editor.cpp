@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_code.h"
+#include "tests/patience.h"
 #include "views/code/code_colours.h"
 
 #include <Qsci/qsciscintilla.h>

@@ -3,6 +3,7 @@
 #include "open_window.h"
 
 #include "app/code_desk.h"
+#include "tests/patience.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 
@@ -65,7 +66,7 @@ void TestCodeLab::check()
 {
     QSignalSpy ended(&m_open->bench.check(), &WorkCheck::reported);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return, Qt::ControlModifier);
-    QVERIFY2(!ended.isEmpty() || ended.wait(30'000), qPrintable(m_open->bench.code().text()));
+    QVERIFY2(!ended.isEmpty() || ended.wait(patience), qPrintable(m_open->bench.code().text()));
     QTRY_VERIFY(!m_open->bench.check().awaitsRun());
 }
 

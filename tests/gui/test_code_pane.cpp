@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_code.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/code/code_pane.h"
 
 #include <QAction>

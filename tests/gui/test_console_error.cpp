@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/calm.h"
 #include "tests/gui/console_fixture.h"
+#include "tests/patience.h"
 #include "views/error_line.h"
 #include "views/values/values_table.h"
 

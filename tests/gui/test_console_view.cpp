@@ -3,6 +3,7 @@
 #include "tests/cpu_timer.h"
 #include "tests/gui/console_fixture.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/console_model.h"
 
 #include <QClipboard>

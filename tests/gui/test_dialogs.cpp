@@ -11,6 +11,7 @@
 #include "tests/gui/named_controls.h"
 #include "tests/gui/room_states.h"
 #include "tests/gui/tab_round.h"
+#include "tests/patience.h"
 #include "views/code/api_page.h"
 
 #include <QFrame>
@@ -93,7 +94,7 @@ void TestDialogs::lookAt(const char *name, const Act &open,
     });
     timer.start(20);
     open();
-    QTRY_VERIFY2_WITH_TIMEOUT(isSeen, name, 30'000);
+    QTRY_VERIFY2(isSeen, name);
     QTRY_VERIFY(!QApplication::activeModalWidget());
 }
 
@@ -151,13 +152,13 @@ void TestDialogs::everyDialogCanBeUsed()
         "handing in", [&] { window.dialogs().openHandIn(); },
         [](QWidget &dialog) {
             auto &handIn = static_cast<HandInDialog &>(dialog);
-            QTRY_VERIFY_WITH_TIMEOUT(handIn.isReady(), 30'000);
+            QTRY_VERIFY(handIn.isReady());
         });
     lookAt(
         "report", [&] { window.dialogs().openReport(); },
         [](QWidget &dialog) {
             auto &report = static_cast<ReportDialog &>(dialog);
-            QTRY_VERIFY_WITH_TIMEOUT(report.isReady(), 30'000);
+            QTRY_VERIFY(report.isReady());
         });
     lookAt("sharing", [&] { window.dialogs().shareWork(); });
     lookAt("new folder", [&] {

@@ -3,6 +3,7 @@
 #include "app/hand_in_dialog.h"
 #include "app/report_dialog.h"
 #include "keeping_fixture.h"
+#include "tests/patience.h"
 
 #include "views/notes_pane.h"
 
@@ -58,7 +59,7 @@ void TestEnding::passingAllStepsTellsTheStory()
     }
     QCOMPARE(endings, 1);
     auto *dialog = open.window.findChild<ReportDialog *>();
-    QTRY_VERIFY_WITH_TIMEOUT(dialog->isReady(), patience);
+    QTRY_VERIFY(dialog->isReady());
     looksBack(open, *dialog);
     story.append(QStringLiteral("Begin lab-4.2"));
     QCOMPARE(GitHome::git(work(), {QStringLiteral("log"), QStringLiteral("--format=%s")})
@@ -106,7 +107,7 @@ void TestEnding::reportIsWritten()
     open.bench.openTaskAt(1);
     ReportDialog dialog(open.bench, false);
     dialog.show();
-    QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+    QTRY_VERIFY(dialog.isReady());
     QVERIFY(!dialog.writeTo(path("r.pdf")));
     QVERIFY(content(path("r.pdf")).startsWith("%PDF-1."));
     QVERIFY(!dialog.writeTo(path("r.html")));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/charts/energy_chart.h"
 
 #include "model/world/measurements.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "tests/showing_program.h"
 #include "views/values/deviation_text.h"
 #include "views/values/values_model.h"

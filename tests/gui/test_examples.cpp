@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/examples.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "views/charts/speed_histogram.h"
 #include "views/charts/speed_plot.h"
 #include "views/task_pane/instructions_pane.h"

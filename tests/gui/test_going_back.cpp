@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/workbench.h"
 #include "keeping_fixture.h"
+#include "tests/patience.h"
 
 #include "views/code/versions_pane.h"
 #include "views/notes_pane.h"

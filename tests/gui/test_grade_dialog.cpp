@@ -3,6 +3,7 @@
 #include "app/grade_dialog.h"
 #include "model/files/file_io.h"
 #include "tasks/reading/lab_reader.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 
 #include <QDir>
@@ -66,7 +67,7 @@ bool TestGradeDialog::wait(GradeDialog &dialog) const
 {
     QSignalSpy ended(&dialog.run(), &GradeRun::ended);
     dialog.grade();
-    return (!ended.isEmpty() || ended.wait(120'000)) && ended.first().at(0).toBool();
+    return (!ended.isEmpty() || ended.wait(patience)) && ended.first().at(0).toBool();
 }
 
 void TestGradeDialog::initTestCase()

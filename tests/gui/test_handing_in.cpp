@@ -5,6 +5,7 @@
 #include "app/report_dialog.h"
 #include "keeping_fixture.h"
 #include "tests/full_disk.h"
+#include "tests/patience.h"
 
 #include "views/code/versions_pane.h"
 
@@ -42,7 +43,7 @@ void TestHandingIn::handedInWorkIsLookedAt()
         type(student, QStringLiteral("-- mine\n"));
         check(student);
         HandInDialog dialog(student.bench);
-        QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+        QTRY_VERIFY(dialog.isReady());
         dialog.findChild<QLineEdit *>()->setText(QStringLiteral("Ada"));
         const auto error = dialog.writeTo(path("ada.cradle-work"));
         QVERIFY2(!error, error ? qPrintable(error->toString()) : "");
@@ -110,7 +111,7 @@ void TestHandingIn::whatWasExpectedIsHandedIn()
         check(student);
         QVERIFY(student.bench.check().report()->passed);
         HandInDialog dialog(student.bench);
-        QTRY_VERIFY_WITH_TIMEOUT(dialog.isReady(), patience);
+        QTRY_VERIFY(dialog.isReady());
         dialog.findChild<QPlainTextEdit *>()->setPlainText(QStringLiteral("It was\nhard."));
         QVERIFY(!dialog.writeTo(path("ada.cradle-work")));
     }

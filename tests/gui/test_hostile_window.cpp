@@ -5,6 +5,7 @@
 #include "app/code_session.h"
 
 #include "../hostile_programs.h"
+#include "tests/patience.h"
 
 #include <QTimer>
 
@@ -49,9 +50,8 @@ void TestHostileWindow::windowLivesOn()
     m_open->bench.code().replace(program.source);
     simulation.start();
     const bool ends = program.kind != QByteArray(noKind);
-    QTRY_VERIFY_WITH_TIMEOUT(simulation.programError() || m_open->bench.code().run().fault()
-                                 || (!ends && simulation.recording().last() > 3),
-                             10'000);
+    QTRY_VERIFY(simulation.programError() || m_open->bench.code().run().fault()
+                || (!ends && simulation.recording().last() > 3));
     QVERIFY(!ends || !simulation.isRunning() || m_open->bench.code().run().fault());
     // It answers, and a sound program runs at once.
     bool answered = false;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_inspector.h"
+#include "tests/patience.h"
 #include "views/inspector/laws_group.h"
 #include "views/inspector/typed_number.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cpu_timer.h"
 #include "tests/gui/open_inspector.h"
+#include "tests/patience.h"
 #include "views/inspector/circle_table_model.h"
 #include "views/shortcut_guard.h"
 

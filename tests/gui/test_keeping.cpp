@@ -5,6 +5,7 @@
 #include "keeping_fixture.h"
 
 #include "model/files/file_io.h"
+#include "tests/patience.h"
 #include "views/code/versions_pane.h"
 
 #include <QInputDialog>
@@ -101,9 +102,8 @@ void TestKeeping::outsideEditIsSaid()
     inCode(open);
     type(open, QStringLiteral("-- mine\n"));
     QVERIFY(!writeFile(work() + QStringLiteral("/lab.lua"), "-- theirs\n"));
-    QTRY_VERIFY_WITH_TIMEOUT(
-        open.window.notice().text().contains(QStringLiteral("Another program has changed")),
-        20'000);
+    QTRY_VERIFY(
+        open.window.notice().text().contains(QStringLiteral("Another program has changed")));
     QCOMPARE(open.window.codePane().editor().text(), QStringLiteral("-- theirs\n"));
     auto *list = open.window.versions().findChild<QTreeWidget *>();
     QCOMPARE(list->topLevelItemCount(), 2);

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "open_window.h"
 #include "tests/git_home.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 #include "tests/typist.h"
 
@@ -70,7 +71,7 @@ void TestKilledWindow::losesLittleAndLeavesNothing()
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
     process.setProcessEnvironment(environment);
     process.start(ownProgram(), {QStringLiteral("--type"), folder.path()});
-    QVERIFY(process.waitForReadyRead(60'000));
+    QVERIFY(process.waitForReadyRead(patience));
     const QString place = QString::fromLocal8Bit(process.readLine()).trimmed();
     const int keys = keysUntilKilled(process, most);
     QVERIFY(keys > 0);

@@ -4,6 +4,7 @@
 
 #include "app/author_window.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 
 #include "tasks/authoring/lab_edits.h"

@@ -4,6 +4,7 @@
 
 #include "app/code_session.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tests/patience.h"
 #include "views/console_view.h"
 
 using namespace cradle;

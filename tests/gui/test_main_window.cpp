@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 
 #include "tests/gui/window_test.h"
+#include "tests/patience.h"
 
 #include <QAction>
 #include <QApplication>

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 
 #include "tests/gui/window_test.h"
+#include "tests/patience.h"
 
 #include <QThreadPool>
 
@@ -137,7 +138,7 @@ void TestMainWindowChecks::sceneOpenedDuringTheCheckEndsIt()
 {
     m_open->click(QStringLiteral("Check"));
     // The work is done, but no event has told so yet.
-    QVERIFY(QThreadPool::globalInstance()->waitForDone(60'000));
+    QVERIFY(QThreadPool::globalInstance()->waitForDone(patience));
     QVERIFY(!m_open->bench.openPreset(QStringLiteral(":/labs/lab-4.2/L42T14/preset.json")));
     QTRY_VERIFY(!m_open->window.transportBar().isChecking());
 }

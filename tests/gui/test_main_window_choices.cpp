@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 #include "views/sound/hit_sounds.h"

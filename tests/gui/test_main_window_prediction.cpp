@@ -4,6 +4,7 @@
 
 #include "tasks/authoring/lab_edits.h"
 #include "tests/gui/window_test.h"
+#include "tests/patience.h"
 #include "views/task_pane/prediction_card.h"
 
 #include <QRadioButton>

@@ -3,6 +3,7 @@
 #include "model/files/preset_json.h"
 #include "tests/gui/image_difference.h"
 #include "tests/gui/scene_fixture.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/raster_canvas.h"
@@ -147,7 +148,7 @@ void TestPainters::theyDoAtTwiceTheScale()
     other.setProcessEnvironment(environment);
     other.setProcessChannelMode(QProcess::MergedChannels);
     other.start(ownProgram());
-    QVERIFY(other.waitForFinished(240'000));
+    QVERIFY(other.waitForFinished(patience));
     const QByteArray said = other.readAll();
     QVERIFY2(other.exitStatus() == QProcess::NormalExit && other.exitCode() == 0,
              said.right(2000).constData());

@@ -5,6 +5,7 @@
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/phase_chart.h"
 #include "views/charts/phase_plot.h"

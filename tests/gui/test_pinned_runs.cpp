@@ -5,6 +5,7 @@
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/open_window.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/momentum_chart.h"
 #include "views/charts/pin_legend.h"
@@ -156,7 +157,7 @@ void TestPinnedRuns::legendHasRoomForLargeTexts()
     small.setPixelSize(scaledByText(11));
     const int line = QFontMetrics(small).height();
     const auto enlarged = [&] { return m_momentum->legend().height() >= line; };
-    const bool isEnlarged = QTest::qWaitFor(enlarged);
+    const bool isEnlarged = QTest::qWaitFor(enlarged, patience);
     setTextScale(1.0);
     applyTheme(ThemeChoice::Light);
     QVERIFY(isEnlarged);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
+#include "tests/patience.h"
 #include "tests/showing_program.h"
 #include "views/charts/energy_chart.h"
 #include "views/charts/plots_chart.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_task_pane.h"
+#include "tests/patience.h"
 #include "views/task_pane/questions_card.h"
 
 #include <QCheckBox>

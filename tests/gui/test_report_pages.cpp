@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/patience.h"
 #include "views/report_printer.h"
 
 #include <QProcess>
@@ -35,7 +36,7 @@ QStringList pagesOf(const QByteArray &pdf)
         return {};
     reader.write(pdf);
     reader.closeWriteChannel();
-    reader.waitForFinished();
+    reader.waitForFinished(patience);
     return QString::fromUtf8(reader.readAllStandardOutput())
         .split(QLatin1Char('\f'), Qt::SkipEmptyParts);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/scene_fixture.h"
+#include "tests/patience.h"
 #include "views/scene/handles.h"
 
 #include <QAction>
@@ -130,7 +131,7 @@ void TestSceneEditing::laterDragOnlyTellsWhatToDo()
     QCOMPARE(scene.chips(),
              QStringList{QStringLiteral("Press Restart (R) to change the start, or "
                                         "start a new run from here (Ctrl+Shift+R)")});
-    QTRY_VERIFY_WITH_TIMEOUT(scene.chips().isEmpty(), 3000);
+    QTRY_VERIFY(scene.chips().isEmpty());
 }
 
 void TestSceneEditing::clickSelects()

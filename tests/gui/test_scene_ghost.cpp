@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/scene_fixture.h"
+#include "tests/patience.h"
 #include "tests/showing_program.h"
 #include "views/scene/ghost.h"
 #include "views/scene/gl_canvas.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/image_difference.h"
 #include "tests/gui/scene_fixture.h"
+#include "tests/patience.h"
 #include "tests/scenes.h"
 #include "views/scene/gl_canvas.h"
 #include "views/scene/gl_painter.h"

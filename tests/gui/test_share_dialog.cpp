@@ -4,6 +4,7 @@
 #include "tasks/reading/lab_reader.h"
 #include "tasks/workspace/workspace.h"
 #include "tests/git_home.h"
+#include "tests/patience.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -39,8 +40,6 @@ private:
 };
 
 namespace {
-
-constexpr int patience = 60'000; ///< ms
 
 void send(ShareDialog &dialog, const QString &address)
 {
@@ -101,7 +100,7 @@ void TestShareDialog::whatIsSentIsSaid()
     ShareDialog dialog(*m_workspace);
     QVERIFY2(said(dialog).contains(QStringLiteral("nothing yet")), qPrintable(said(dialog)));
     send(dialog, path("b.git"));
-    QTRY_VERIFY_WITH_TIMEOUT(said(dialog).contains(QStringLiteral("All is sent.")), patience);
+    QTRY_VERIFY(said(dialog).contains(QStringLiteral("All is sent.")));
     QVERIFY2(said(dialog).contains(QStringLiteral("up to the commit of")),
              qPrintable(said(dialog)));
     QVERIFY(GitHome::git(path("b.git"), {QStringLiteral("log"), QStringLiteral("--format=%s"),
@@ -113,9 +112,8 @@ void TestShareDialog::whatKeepsItFromBeingSentIsSaid()
 {
     ShareDialog dialog(*m_workspace);
     send(dialog, path("nowhere.git"));
-    QTRY_VERIFY_WITH_TIMEOUT(
-        said(dialog).contains(QStringLiteral("there is no git repository at this address")),
-        patience);
+    QTRY_VERIFY(
+        said(dialog).contains(QStringLiteral("there is no git repository at this address")));
     QVERIFY(said(dialog).contains(QStringLiteral("nothing yet")));
 }
 

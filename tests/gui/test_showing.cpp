@@ -4,6 +4,7 @@
 #include "app/presentation.h"
 #include "app/tour.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 

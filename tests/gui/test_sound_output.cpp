@@ -4,6 +4,7 @@
 
 #include "app/notice_bar.h"
 #include "tests/gui/open_window.h"
+#include "tests/patience.h"
 #include "views/charts/chart_plot.h"
 #include "views/sound/hit_sounds.h"
 

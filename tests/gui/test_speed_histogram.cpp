@@ -3,6 +3,7 @@
 #include "model/run/simulation.h"
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/charts/speed_histogram.h"
 #include "views/charts/speed_plot.h"
 

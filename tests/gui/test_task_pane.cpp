@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/calm.h"
 #include "tests/gui/open_task_pane.h"
+#include "tests/patience.h"
 #include "views/markdown_view.h"
 
 #include <QListWidget>

@@ -3,6 +3,7 @@
 #include "tasks/script/student_script.h"
 #include "tests/cpu_timer.h"
 #include "tests/gui/chart_scenes.h"
+#include "tests/patience.h"
 #include "views/timeline.h"
 
 #include <QAccessible>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "views/values/hits_model.h"
 #include "views/values/values_model.h"
 #include "views/values/values_table.h"

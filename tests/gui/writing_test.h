@@ -7,6 +7,7 @@
 #include "tests/gui/open_author.h"
 #include "tests/gui/story_programs.h"
 #include "tests/gui/typed_cell.h"
+#include "tests/patience.h"
 
 #include <memory>
 
