@@ -16,6 +16,7 @@
 #include <exception>
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 namespace {
@@ -61,11 +62,20 @@ void guardStandardStreams()
     }
 }
 
+/// Judging makes and drops some thousand states of Lua. What the system would get back between two
+/// of them it would have to give, and to clear, again. What it forks does likewise.
+void keepFreedMemory()
+{
+    mallopt(M_TRIM_THRESHOLD, 64 * 1024 * 1024);
+    mallopt(M_TOP_PAD, 1024 * 1024);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
     guardStandardStreams();
+    keepFreedMemory();
     // A file that may not grow is told by the write that fails, and in words.
     std::signal(SIGXFSZ, SIG_IGN);
     const QCoreApplication app(argc, argv);

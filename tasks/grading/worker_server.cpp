@@ -19,7 +19,6 @@
 #include <map>
 
 #include <fcntl.h>
-#include <malloc.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -34,10 +33,6 @@ namespace {
 constexpr qint64 mostRequestBytes = 256 * 1024 * 1024;
 /// Above what a worker ends a step by itself with.
 constexpr qint64 spareSeconds = 10;
-/// Judging makes and drops some thousand states of Lua. What the system would get back between two
-/// of them it would have to give, and to clear, again.
-constexpr int mostIdleBytes = 64 * 1024 * 1024;
-constexpr int bytesAtOnce = 1024 * 1024;
 /// For fewer it is not worth while to measure beforehand.
 constexpr int fewStudents = 4;
 /// Steps that are measured between two students, some 50 ms each: all of a lab after five.
@@ -195,8 +190,6 @@ private:
             (void)!write(file, "1000", 4);
             close(file);
         }
-        mallopt(M_TRIM_THRESHOLD, mostIdleBytes);
-        mallopt(M_TOP_PAD, bytesAtOnce);
         const auto asked = readAll(request, mostRequestBytes);
         const auto wanted = asked ? requestFrom(*asked) : std::nullopt;
         if (!wanted || dup2(results, Lockdown::outputDescriptor) < 0)
