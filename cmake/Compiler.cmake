@@ -39,7 +39,7 @@ if(CRADLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
         CCACHE_PCH_EXTSUM=1 # see PrecompiledHeaders.cmake
         GLIBC_TUNABLES=glibc.malloc.hugetlb=1) # a fifth of a compiler's time goes into small pages
     set(CMAKE_CXX_COMPILER_LAUNCHER
-        "${CMAKE_COMMAND}" -E env ${ccache_settings} "${CRADLE_CCACHE}")
+        env ${ccache_settings} "${CRADLE_CCACHE}")
 endif()
 # Resources without the times of their files, which differ in every clone.
 set(cradle_rcc_options --format-version 1)
