@@ -42,7 +42,7 @@ public:
 
     Result<QStringList> unpack()
     {
-        const zip_int64_t count = zip_get_num_entries(m_archive, 0);
+        const zip_int64_t count = zip_get_num_entries(m_archive, ZIP_FL_UNCHANGED);
         if (count > mostZipEntries)
             return Error{ZipText::tr("there are more than %1 files in it").arg(mostZipEntries)};
         for (zip_int64_t i = 0; i < count; ++i) {
@@ -58,7 +58,7 @@ private:
     {
         zip_stat_t info{};
         const char *raw = zip_get_name(m_archive, index, ZIP_FL_ENC_RAW);
-        if (!raw || zip_stat_index(m_archive, index, 0, &info) != 0) {
+        if (!raw || zip_stat_index(m_archive, index, ZIP_FL_UNCHANGED, &info) != 0) {
             m_leftOut.append(ZipText::tr("a broken entry"));
             return std::nullopt;
         }
@@ -71,7 +71,7 @@ private:
             m_leftOut.append(shownName(name));
             return std::nullopt;
         }
-        const ZipFile file(zip_fopen_index(m_archive, index, 0));
+        const ZipFile file(zip_fopen_index(m_archive, index, ZIP_FL_UNCHANGED));
         QByteArray content(static_cast<qsizetype>(info.size), Qt::Uninitialized);
         const bool whole = file
                            && zip_fread(file.get(), content.data(), info.size)

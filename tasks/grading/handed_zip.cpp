@@ -37,7 +37,7 @@ Result<HandedZip> HandedZip::open(QByteArray bytes)
     if (!zip.m_archive)
         return Error{HandedZipText::tr("this is no zip: %1").arg(QString::fromUtf8(error.text()))};
     (void)source.release(); // it is the archive's now
-    const zip_int64_t count = zip_get_num_entries(zip.m_archive.get(), 0);
+    const zip_int64_t count = zip_get_num_entries(zip.m_archive.get(), ZIP_FL_UNCHANGED);
     if (count > mostHandedEntries)
         return Error{
             HandedZipText::tr("there are more than %1 files in it").arg(mostHandedEntries)};
@@ -90,7 +90,7 @@ bool HandedZip::isOfAClass() const
 
 Result<QByteArray> HandedZip::read(zip_uint64_t index, qint64 most, qint64 &left) const
 {
-    const ZipFile file(zip_fopen_index(m_archive.get(), index, 0));
+    const ZipFile file(zip_fopen_index(m_archive.get(), index, ZIP_FL_UNCHANGED));
     if (!file)
         return Error{HandedZipText::tr("cannot be unpacked: %1")
                          .arg(QString::fromUtf8(zip_strerror(m_archive.get())))};

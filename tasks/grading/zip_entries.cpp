@@ -23,7 +23,8 @@ bool isZippedLink(zip_t *archive, zip_uint64_t index)
     constexpr zip_uint32_t unixKinds = 0170000;
     zip_uint8_t system = 0;
     zip_uint32_t attributes = 0;
-    return zip_file_get_external_attributes(archive, index, 0, &system, &attributes) == 0
+    return zip_file_get_external_attributes(archive, index, ZIP_FL_UNCHANGED, &system, &attributes)
+               == 0
            && system == ZIP_OPSYS_UNIX && ((attributes >> 16) & unixKinds) == unixLink;
 }
 

@@ -42,7 +42,7 @@ public:
 
     Result<LabFiles> unpack()
     {
-        const zip_int64_t count = zip_get_num_entries(m_archive, 0);
+        const zip_int64_t count = zip_get_num_entries(m_archive, ZIP_FL_UNCHANGED);
         if (count > limits::labFiles)
             return fault({}, UnpackText::tr("there are %1 files in it; at most %2 are right")
                                  .arg(count)
@@ -67,7 +67,7 @@ private:
         zip_stat_t stat;
         zip_stat_init(&stat);
         const char *raw = zip_get_name(m_archive, index, ZIP_FL_ENC_RAW);
-        if (!raw || zip_stat_index(m_archive, index, 0, &stat) != 0)
+        if (!raw || zip_stat_index(m_archive, index, ZIP_FL_UNCHANGED, &stat) != 0)
             return fault({}, brokenText());
         QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
         QString path = decode(QByteArrayView(raw));
@@ -109,7 +109,7 @@ private:
             return fault(path, wrong);
         zip_uint8_t system = 0;
         zip_uint32_t attributes = 0;
-        zip_file_get_external_attributes(m_archive, index, 0, &system, &attributes);
+        zip_file_get_external_attributes(m_archive, index, ZIP_FL_UNCHANGED, &system, &attributes);
         const zip_uint32_t kind = system == ZIP_OPSYS_UNIX ? (attributes >> 16) & S_IFMT : 0;
         if (kind != 0 && kind != (isFolder ? S_IFDIR : S_IFREG))
             return fault(path, UnpackText::tr("this is a link or a special file; a plain file is "
@@ -152,7 +152,7 @@ private:
 
     std::optional<Error> read(zip_uint64_t index, const QString &path, const zip_stat_t &stat)
     {
-        const ZipFile file(zip_fopen_index(m_archive, index, 0));
+        const ZipFile file(zip_fopen_index(m_archive, index, ZIP_FL_UNCHANGED));
         if (!file)
             return fault(path, brokenText());
         // One byte more than declared tells that it lied, and asks for the checksum.
