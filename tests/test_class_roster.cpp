@@ -65,24 +65,34 @@ void TestClassRoster::rosterNamesStudentsAndTheMissing()
     QCOMPARE(found.remarks.size(), 1); // the stranger
 }
 
-/// Values are drawn by the number of the roster, never by that of a platform.
+/// Values are drawn by the number of the roster, never by that of a platform, which is left only
+/// where the roster has the same or none.
 void TestClassRoster::onlyTheRosterGivesNumbersForValues()
 {
     const Made made;
     made.file("Ada Lovelace_1234567_assignsubmission_file_/lab.lua");
     made.file("Bob Boole_1234568_assignsubmission_file_/lab.lua");
     made.file("Cy Young_1234569_assignsubmission_file_/lab.lua");
+    made.file("Di Doe_1234570_assignsubmission_file_/lab.lua");
     const auto roster = rosterFrom(text("id,folder,name,number\n"
                                         "ada,,Ada Lovelace,00417\n"
                                         "bob,,Bob Boole,\n"
-                                        ",Cy Young_1234569_assignsubmission_file_,,23\n"),
+                                        ",Cy Young_1234569_assignsubmission_file_,,23\n"
+                                        ",Di Doe_1234570_assignsubmission_file_,,1234570\n"),
                                    {});
     QVERIFY(roster.ok());
     const ClassFolder found = made.read(*roster);
-    QCOMPARE(idsOf(found), (QStringList{text("1234569"), text("ada"), text("bob")}));
-    QCOMPARE(found.students[0].rosterNumbers, QStringList{text("23")});
-    QCOMPARE(found.students[1].rosterNumbers, (QStringList{text("00417"), text("ada")}));
-    QCOMPARE(found.students[2].rosterNumbers, QStringList());
+    QCOMPARE(idsOf(found),
+             (QStringList{text("1234569"), text("1234570"), text("ada"), text("bob")}));
+    const auto is = [&](int student, const char *number, Platform platform,
+                        const QStringList &all) {
+        const FoundStudent &one = found.students[static_cast<std::size_t>(student)];
+        return one.number == text(number) && one.platform == platform && one.rosterNumbers == all;
+    };
+    QVERIFY(is(0, "23", Platform::None, {text("23")}));
+    QVERIFY(is(1, "1234570", Platform::Moodle, {text("1234570")}));
+    QVERIFY(is(2, "00417", Platform::None, {text("00417"), text("ada")}));
+    QVERIFY(is(3, "1234568", Platform::Moodle, {}));
 }
 
 void TestClassRoster::whatTheRosterHasTwiceIsTold()

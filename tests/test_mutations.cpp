@@ -22,6 +22,7 @@ private slots:
     void physicalMistakesAreMade_data();
     void physicalMistakesAreMade();
     void partsOfConditionsKeepTheirBrackets();
+    void callOfAMethodIsOneFactor();
     void everyMutantCanBeRead();
     void missingTestIsFound();
     void cancelledSearchSaysNothing();
@@ -118,6 +119,15 @@ void TestMutations::partsOfConditionsKeepTheirBrackets()
     for (const char *change : {"2: if g(c, (d)) then", "2: if f(a) then",
                                "5: return ((b)) ~= not c", "5: return (a) ~= not c"})
         QVERIFY2(changes.contains(QLatin1String(change)), qPrintable(changes.join(u'\n')));
+}
+
+/// It is left out with what it is called on, and not without.
+void TestMutations::callOfAMethodIsOneFactor()
+{
+    const QStringList changes =
+        changesOf(QStringLiteral("function on_update(h)\n  x = v:dot(n) * m\nend\n"));
+    QVERIFY2(changes.contains(QLatin1String("2: x = m")), qPrintable(changes.join(u'\n')));
+    QVERIFY2(!changes.contains(QLatin1String("2: x = v:m")), qPrintable(changes.join(u'\n')));
 }
 
 void TestMutations::everyMutantCanBeRead()
