@@ -71,11 +71,6 @@ Lab labOf(const Task &task)
     return lab;
 }
 
-std::vector<LabFinding> findingsOf(const Task &task)
-{
-    return verifyLab(labOf(task)).front().findings;
-}
-
 } // namespace
 
 void TestLabVerifier::soundLabHasNoFindings()
@@ -174,7 +169,8 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
             {QStringLiteral("tolerance"), 1e-3}};
         task.checks.push_back(more);
     }
-    const std::vector<LabFinding> findings = findingsOf(task);
+    const VerifiedTask verified = verifyLab(labOf(task)).front();
+    const std::vector<LabFinding> &findings = verified.findings;
     const auto found = std::find_if(findings.begin(), findings.end(), [&](const LabFinding &f) {
         return static_cast<int>(f.kind) == kind;
     });
@@ -185,6 +181,7 @@ void TestLabVerifier::findingSaysWhatItIsAbout()
     QCOMPARE(found->check, check);
     QCOMPARE(found->seed, qint64{1});
     QVERIFY(!found->message.isEmpty());
+    QVERIFY(describeVerified(verified).contains(QStringLiteral("  ! %1\n").arg(found->message)));
 }
 
 void TestLabVerifier::checksThatAddNothingAreNamed()
