@@ -82,7 +82,7 @@ void TestContactWords::faultIsTold_data()
                     hit.left1 = hit.came1 - push * hit.normal;
             });
     }
-    const char *const back = "The circles are put back and keep their velocities";
+    const char *const back = "The circles are held and keep their velocities";
     row(back, missedBy([](PairHit &h) { h.moved1 = true; }), "circle 1 was taken away");
     row(back, missedBy([](PairHit &h) { h.moved2 = true; }), "circle 2 was taken away");
     row(back, missedBy([](PairHit &h) { h.moved1 = h.moved2 = true; }), "both were taken away");

@@ -164,7 +164,7 @@ void TestToldMeetings::noAnswerAtAllIsTold()
         body("L42T14", {.touch = text("false")}, text("The circles run through each other"));
     // Six ways for two of unlike radii, two for them exchanged, one for two large ones.
     QCOMPARE(numbersIn(never, "From all # directions"), std::vector<double>{9.0});
-    const QString held = text("The circles are put back and keep their velocities");
+    const QString held = text("The circles are held and keep their velocities");
     QVERIFY(body("L42T14", {.answer = text("p.position, q.position = oldp, oldq")}, held)
                 .startsWith(QLatin1String("When they touched both were taken away")));
     QVERIFY(body("L42T14", {.answer = text("p.position = oldp + p.velocity * h")}, held)
@@ -177,7 +177,7 @@ void TestToldMeetings::answerWithLossesAloneIsOne()
     const QString answer = text("local j = (1 - restitution) * closing / (1 / m1 + 1 / m2) "
                                 "p.velocity = p.velocity - j / m1 * n "
                                 "q.velocity = q.velocity + j / m2 * n");
-    const QString headline = text("The circles are put back and keep their velocities");
+    const QString headline = text("The circles are held and keep their velocities");
     QVERIFY(body("L42T16", {.answer = answer}, headline).isEmpty());
     QVERIFY(!body("L42T14", {.answer = answer}, headline).isEmpty()); // which has no other e
 }

@@ -2047,8 +2047,8 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>مجموع القطرين</translation>
     </message>
     <message>
-        <source>The circles are put back and keep their velocities</source>
-        <translation>تُعاد الدائرتان إلى الوراء وتحتفظان بسرعتيهما</translation>
+        <source>The circles are held and keep their velocities</source>
+        <translation>تُمسَك الدائرتان وتحتفظان بسرعتيهما</translation>
     </message>
     <message>
         <source>The circles run through each other</source>
@@ -4887,12 +4887,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>التصادم يغيّر السرعات: انظر هل تُنفَّذ الأسطر التي تفعل ذلك، وعمّ يُسأل قبلها، وهل تعيد أسطر لاحقة السرعات كما كانت.</translation>
     </message>
     <message>
-        <source>When they touched both were taken away from where they had come to, and after the step they had the velocities of before.</source>
-        <translation>عند تلامسهما نُقلت كلتاهما من حيث وصلتا، وبعد الخطوة كانت لهما السرعتان السابقتان.</translation>
+        <source>When they touched neither moved on as its velocity says, and after the step they had the velocities of before.</source>
+        <translation>عند تلامسهما لم تتقدم أي منهما كما تقول سرعتها، وبعد الخطوة كانت لهما السرعتان السابقتان.</translation>
     </message>
     <message>
-        <source>When they touched circle %1 was taken away from where it had come to, and after the step both had the velocities of before.</source>
-        <translation>عند تلامسهما نُقلت الدائرة ⁨%1⁩ من حيث وصلت، وبعد الخطوة كانت لكلتيهما السرعتان السابقتان.</translation>
+        <source>When they touched circle %1 did not move on as its velocity says, and after the step both had the velocities of before.</source>
+        <translation>عند تلامسهما لم تتقدم الدائرة ⁨%1⁩ كما تقول سرعتها، وبعد الخطوة كانت لكلتيهما السرعتان السابقتان.</translation>
     </message>
     <message>
         <source>In the first hit of a run the line of centres was at %1°, in a later one at %2°. Both times the push was along the first line. Every hit has a normal of its own: work it out anew.</source>

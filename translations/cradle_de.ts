@@ -2723,8 +2723,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Längs der Verbindungslinie der Mittelpunkte hatte Kreis 1 %1 m/s und Kreis 2 %2 m/s; sie kamen sich also mit %3 m/s näher und liefen ineinander, während andere Begegnungen beantwortet werden. Es zählt die Geschwindigkeit des einen relativ zum anderen.</translation>
     </message>
     <message>
-        <source>The circles are put back and keep their velocities</source>
-        <translation>Die Kreise werden zurückgesetzt und behalten ihre Geschwindigkeiten</translation>
+        <source>The circles are held and keep their velocities</source>
+        <translation>Die Kreise werden festgehalten und behalten ihre Geschwindigkeiten</translation>
     </message>
     <message>
         <source>Every step puts %who where circle %1 is</source>
@@ -4819,12 +4819,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Ein Stoß ändert Geschwindigkeiten: Sieh nach, ob die Zeilen dafür laufen, was vor ihnen gefragt wird und ob spätere Zeilen die Geschwindigkeiten wieder zurückändern.</translation>
     </message>
     <message>
-        <source>When they touched both were taken away from where they had come to, and after the step they had the velocities of before.</source>
-        <translation>Als sie sich berührten, wurden beide von dort weggesetzt, wohin sie gekommen waren, und nach dem Schritt hatten sie die Geschwindigkeiten von vorher.</translation>
+        <source>When they touched neither moved on as its velocity says, and after the step they had the velocities of before.</source>
+        <translation>Als sie sich berührten, bewegte sich keiner so weiter, wie es seine Geschwindigkeit sagt, und nach dem Schritt hatten sie die Geschwindigkeiten von vorher.</translation>
     </message>
     <message>
-        <source>When they touched circle %1 was taken away from where it had come to, and after the step both had the velocities of before.</source>
-        <translation>Als sie sich berührten, wurde Kreis %1 von dort weggesetzt, wohin er gekommen war, und nach dem Schritt hatten beide die Geschwindigkeiten von vorher.</translation>
+        <source>When they touched circle %1 did not move on as its velocity says, and after the step both had the velocities of before.</source>
+        <translation>Als sie sich berührten, bewegte sich Kreis %1 nicht so weiter, wie es seine Geschwindigkeit sagt, und nach dem Schritt hatten beide die Geschwindigkeiten von vorher.</translation>
     </message>
     <message>
         <source>In the first hit of a run the line of centres was at %1°, in a later one at %2°. Both times the push was along the first line. Every hit has a normal of its own: work it out anew.</source>

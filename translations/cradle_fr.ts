@@ -2023,8 +2023,8 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>la somme des diamètres</translation>
     </message>
     <message>
-        <source>The circles are put back and keep their velocities</source>
-        <translation>Les cercles sont remis en arrière et gardent leurs vitesses</translation>
+        <source>The circles are held and keep their velocities</source>
+        <translation>Les cercles sont retenus et gardent leurs vitesses</translation>
     </message>
     <message>
         <source>The circles run through each other</source>
@@ -4819,12 +4819,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Un choc change des vitesses&#xa0;: voyez si les lignes qui le font s&apos;exécutent, ce qui est demandé avant elles et si des lignes suivantes rétablissent les vitesses.</translation>
     </message>
     <message>
-        <source>When they touched both were taken away from where they had come to, and after the step they had the velocities of before.</source>
-        <translation>Quand ils se sont touchés, tous deux ont été retirés de là où ils étaient arrivés, et après le pas ils avaient les vitesses d&apos;avant.</translation>
+        <source>When they touched neither moved on as its velocity says, and after the step they had the velocities of before.</source>
+        <translation>Quand ils se sont touchés, aucun n&apos;a avancé comme le dit sa vitesse, et après le pas ils avaient les vitesses d&apos;avant.</translation>
     </message>
     <message>
-        <source>When they touched circle %1 was taken away from where it had come to, and after the step both had the velocities of before.</source>
-        <translation>Quand ils se sont touchés, le cercle %1 a été retiré de là où il était arrivé, et après le pas tous deux avaient les vitesses d&apos;avant.</translation>
+        <source>When they touched circle %1 did not move on as its velocity says, and after the step both had the velocities of before.</source>
+        <translation>Quand ils se sont touchés, le cercle %1 n&apos;a pas avancé comme le dit sa vitesse, et après le pas tous deux avaient les vitesses d&apos;avant.</translation>
     </message>
     <message>
         <source>In the first hit of a run the line of centres was at %1°, in a later one at %2°. Both times the push was along the first line. Every hit has a normal of its own: work it out anew.</source>

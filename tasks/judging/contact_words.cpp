@@ -115,7 +115,7 @@ private:
                     .arg(brief(held->landed)),
                 *held);
         else if (right && held != m_own.contacts.end())
-            add(ContactText::tr("The circles are put back and keep their velocities"),
+            add(ContactText::tr("The circles are held and keep their velocities"),
                 whoIsMoved(*held) + QLatin1Char(' ')
                     + ContactText::tr("A hit changes velocities: look at whether the lines for "
                                       "that run, at what is asked before them, and at whether "
@@ -160,12 +160,10 @@ private:
     static QString whoIsMoved(const PairHit &hit)
     {
         return hit.moved1 && hit.moved2
-                   ? ContactText::tr("When they touched both were taken away from where they had "
-                                     "come to, and after the step they had the velocities of "
-                                     "before.")
-                   : ContactText::tr("When they touched circle %1 was taken away from where it had "
-                                     "come to, and after the step both had the velocities of "
-                                     "before.")
+                   ? ContactText::tr("When they touched neither moved on as its velocity says, and "
+                                     "after the step they had the velocities of before.")
+                   : ContactText::tr("When they touched circle %1 did not move on as its velocity "
+                                     "says, and after the step both had the velocities of before.")
                          .arg(hit.moved1 ? 1 : 2);
     }
 
