@@ -4665,6 +4665,30 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>في الطيران الحر لا تغيّر الخطوة شيئًا في %who</translation>
     </message>
     <message>
+        <source>Far from the %1 something turns %who round</source>
+        <translation>شيء ما يردّ %who بعيدًا عن %1</translation>
+    </message>
+    <message>
+        <source>Thrown straight towards the %1 with %2 m/s from %3 m, circle %4 has %5 m/s one step of %6 s later.</source>
+        <translation>عند رمي الدائرة ⁨%4⁩ مباشرة نحو %1 بسرعة ⁦%2 m/s⁩ من ⁦%3 m⁩ تصبح سرعتها ⁦%5 m/s⁩ بعد خطوة واحدة مدتها ⁦%6 s⁩.</translation>
+    </message>
+    <message>
+        <source>It is at %1 m then.</source>
+        <translation>وتكون حينئذ عند ⁦%1 m⁩.</translation>
+    </message>
+    <message>
+        <source>So it is from all places tried; thrown the other way it goes on as it should.</source>
+        <translation>وكذلك الأمر من كل المواضع المجرَّبة؛ وعند رميها في الاتجاه المعاكس تواصل كما ينبغي.</translation>
+    </message>
+    <message>
+        <source>So it is where its centre comes to %1 or farther, and its rim to %2; the wall is at %3.</source>
+        <translation>وكذلك الأمر حيث يبلغ مركزها ⁦%1⁩ أو ما بعده وحافتها ⁦%2⁩؛ والجدار عند ⁦%3⁩.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks for that wall, at the lengths there and at their signs.</source>
+        <translation>انظر إلى ما يسأله برنامجك عن ذلك الجدار، وإلى الأطوال هناك وإشاراتها.</translation>
+    </message>
+    <message>
         <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>
         <translation>والموضع أيضًا لا يتغيّر. انظر هل يُبلَغ في كل خطوة إلى الأسطر التي تحرّك دائرة، ولأيّ دائرة.</translation>
     </message>

@@ -4605,6 +4605,30 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Im freien Flug ändert ein Schritt nichts, für %who</translation>
     </message>
     <message>
+        <source>Far from the %1 something turns %who round</source>
+        <translation>Weit vor %1 lässt etwas %who umkehren</translation>
+    </message>
+    <message>
+        <source>Thrown straight towards the %1 with %2 m/s from %3 m, circle %4 has %5 m/s one step of %6 s later.</source>
+        <translation>Gerade zu %1 hin geworfen, mit %2 m/s von %3 m aus, hat Kreis %4 einen Schritt von %6 s später %5 m/s.</translation>
+    </message>
+    <message>
+        <source>It is at %1 m then.</source>
+        <translation>Dann ist er bei %1 m.</translation>
+    </message>
+    <message>
+        <source>So it is from all places tried; thrown the other way it goes on as it should.</source>
+        <translation>So ist es von allen Orten aus, die versucht wurden; andersherum geworfen, fliegt er weiter, wie er soll.</translation>
+    </message>
+    <message>
+        <source>So it is where its centre comes to %1 or farther, and its rim to %2; the wall is at %3.</source>
+        <translation>So ist es, wo sein Mittelpunkt bis %1 oder weiter kommt und sein Rand bis %2; die Wand ist bei %3.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks for that wall, at the lengths there and at their signs.</source>
+        <translation>Sieh nach, was dein Programm für diese Wand fragt, welche Längen dort stehen und mit welchem Vorzeichen.</translation>
+    </message>
+    <message>
         <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>
         <translation>Auch der Ort ändert sich nicht. Sieh nach, ob die Zeilen, die einen Kreis bewegen, in jedem Schritt erreicht werden, und für welchen Kreis.</translation>
     </message>

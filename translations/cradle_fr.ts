@@ -4605,6 +4605,30 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>En vol libre, un pas ne change rien, pour %who</translation>
     </message>
     <message>
+        <source>Far from the %1 something turns %who round</source>
+        <translation>Bien avant %1, quelque chose renvoie %who</translation>
+    </message>
+    <message>
+        <source>Thrown straight towards the %1 with %2 m/s from %3 m, circle %4 has %5 m/s one step of %6 s later.</source>
+        <translation>Lancé droit vers %1 avec %2 m/s depuis %3 m, le cercle %4 a %5 m/s un pas de %6 s plus tard.</translation>
+    </message>
+    <message>
+        <source>It is at %1 m then.</source>
+        <translation>Il est alors en %1 m.</translation>
+    </message>
+    <message>
+        <source>So it is from all places tried; thrown the other way it goes on as it should.</source>
+        <translation>Il en est ainsi depuis tous les endroits essayés&#xa0;; lancé dans l&apos;autre sens, il continue comme il le doit.</translation>
+    </message>
+    <message>
+        <source>So it is where its centre comes to %1 or farther, and its rim to %2; the wall is at %3.</source>
+        <translation>Il en est ainsi là où son centre arrive à %1 ou plus loin, et son bord à %2&#xa0;; la paroi est à %3.</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks for that wall, at the lengths there and at their signs.</source>
+        <translation>Regardez ce que votre programme demande pour cette paroi, les longueurs qui s&apos;y trouvent et leurs signes.</translation>
+    </message>
+    <message>
         <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>
         <translation>La position ne change pas non plus. Regardez si les lignes qui déplacent un cercle sont atteintes à chaque pas, et pour quel cercle.</translation>
     </message>

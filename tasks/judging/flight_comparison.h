@@ -26,6 +26,7 @@ struct FlightSaid {
     bool isMethod = false; ///< it is about the integrator
     Suspect suspect = Suspect::Answer;
     bool hidesHits = false; ///< hits are not seen through it
+    bool isOfWall = false;  ///< a wall does it, see strayWallSaid()
 };
 
 /// The flight of one circle beside that of the reference.
@@ -148,6 +149,8 @@ protected:
 
 /// That the first step of a run is not made as the next ones are, which are right.
 [[nodiscard]] std::optional<FlightSaid> firstStepSaid(const FlightComparison &comparison);
+/// That a wall turns it round far from where that is, which nothing of the flights explains.
+[[nodiscard]] std::optional<FlightSaid> strayWallSaid(const FlightComparison &comparison);
 /// What is wrong with the way of a circle in a step; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
 

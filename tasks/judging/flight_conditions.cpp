@@ -63,12 +63,23 @@ private:
     }
 
     /// What divides the right ones from the others; else something may be hit that is not there.
-    static std::optional<Condition> dividing(const Series<FlightOccasion> &series)
+    [[nodiscard]] std::optional<Condition> dividing(const Series<FlightOccasion> &series) const
     {
         const auto condition = conditionOf(series.when);
+        if (condition && condition->isOfPlace() && isOfAWall(series.firstWrong().own->circle))
+            return std::nullopt;
         const bool isDivided = condition && condition->kind != Condition::Kind::Sometimes
                                && condition->kind != Condition::Kind::Setting;
         return isDivided ? condition : std::nullopt;
+    }
+
+    /// Whether a wall that is elsewhere than it should be turns it: that is no fault of its flight.
+    [[nodiscard]] bool isOfAWall(int circle) const
+    {
+        const Vec2 g = m_ground.gravities.front();
+        return m_own.flight()
+            .strayWall(g, timestep(), circle, m_right.flight().at(g, timestep(), circle))
+            .has_value();
     }
 
     void sayTurns()

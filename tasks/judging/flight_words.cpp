@@ -23,6 +23,10 @@ public:
     [[nodiscard]] std::vector<FlightSaid> judge() const
     {
         std::vector<FlightSaid> said = judgeByItself();
+        if (!said.empty() && !said.front().isMethod) {
+            if (auto wall = strayWallSaid(*this))
+                return {*wall};
+        }
         // What the others do shows in all that is measured while they do it.
         if (!said.empty() && !carriedSaid(*this)) {
             if (auto fault = othersSaid(*this))
@@ -286,6 +290,32 @@ bool isOneLaw(const Flight &a, const Flight &b, bool isMethod)
                           && isAlike(a.growth, b.growth) && isAlike(a.pull, b.pull);
 }
 
+/// What is said of each circle that is asked for.
+std::vector<std::pair<int, std::vector<FlightSaid>>>
+saidOfAll(const MeasuredFlight &own, const MeasuredFlight &right, const Ground &ground)
+{
+    std::vector<std::pair<int, std::vector<FlightSaid>>> all;
+    if (ground.timesteps.empty() || ground.gravities.empty())
+        return all;
+    bool isOfWall = false;
+    for (std::size_t i = 0; i < ground.flights.size(); ++i) {
+        if (!ground.flights[i].asked)
+            continue;
+        const int circle = static_cast<int>(i);
+        all.emplace_back(circle, FlightJudge(own, right, ground, circle).judge());
+        isOfWall |= !all.back().second.empty() && all.back().second.front().isOfWall;
+    }
+    // A wall that turns one may turn others that flew where it does not.
+    for (auto &[circle, said] : all) {
+        const auto wall = isOfWall && said.empty()
+                              ? strayWallSaid(FlightComparison(own, right, ground, circle))
+                              : std::nullopt;
+        if (wall)
+            said.push_back(*wall);
+    }
+    return all;
+}
+
 QString withNames(QString text, const std::vector<int> &circles, std::size_t all)
 {
     const QString names = circleNames(circles, all);
@@ -301,11 +331,8 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
     const auto flightOf = [&](int circle) -> const Flight & {
         return own.at(ground.gravities.front(), ground.timesteps.front(), circle);
     };
-    for (std::size_t i = 0; i < ground.flights.size(); ++i) {
-        const int circle = static_cast<int>(i);
-        if (!ground.flights[i].asked || ground.timesteps.empty() || ground.gravities.empty())
-            continue;
-        for (const FlightSaid &said : FlightJudge(own, right, ground, circle).judge()) {
+    for (const auto &[circle, all] : saidOfAll(own, right, ground)) {
+        for (const FlightSaid &said : all) {
             const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
                 return group.first.headline == said.headline
                        && (group.first.body == said.body

@@ -4,6 +4,7 @@
 
 #include "tasks/judging/flight_reading.h"
 #include "tasks/judging/occasions.h"
+#include "tasks/judging/stray_wall.h"
 
 #include <algorithm>
 #include <memory>
@@ -70,6 +71,13 @@ public:
     /// The first step of a circle \p i without gravity that is \p slower times as fast as in the
     /// first flight of at(), and its velocity at the start; nothing where the program stops.
     [[nodiscard]] std::optional<Flight::Step> slowStart(double slower, double h, int i) const;
+
+    /// See measureStrayWall().
+    [[nodiscard]] std::optional<StrayWall> strayWall(Vec2 gravity, double h, int i,
+                                                     const Flight &right) const
+    {
+        return measureStrayWall(m_program, m_ground, right, gravity, h, i);
+    }
 
     /// Whether another program flies in the same way.
     [[nodiscard]] bool isLike(const MeasuredFlight &other) const;
