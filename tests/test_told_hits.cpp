@@ -4,6 +4,7 @@
 
 #include "tests/told_hit.h"
 
+#include <cmath>
 #include <functional>
 
 using namespace cradle;
@@ -18,6 +19,12 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void distanceOfAContactIsTold_data();
     void distanceOfAContactIsTold();
+    void distanceIsNamedByTwoPairs_data();
+    void distanceIsNamedByTwoPairs();
+    void answerOfPartingsIsTold();
+    void massOfOneInThePushIsTold_data();
+    void massOfOneInThePushIsTold();
+    void wholeVelocityTurnedRoundIsTold();
     void faultAcrossIsToldOnce();
     void sumOfThePlacesIsToldFarApart_data();
     void sumOfThePlacesIsToldFarApart();
@@ -79,6 +86,94 @@ void TestToldHits::distanceOfAContactIsTold()
         QCOMPARE(same.size(), std::size_t{2});
         QVERIFY(same[0] <= 0.5501 && 0.5499 <= same[1] && same[1] - same[0] < 0.04);
     }
+}
+
+void TestToldHits::distanceIsNamedByTwoPairs_data()
+{
+    QTest::addColumn<QString>("reach");
+    QTest::addColumn<QString>("headline");
+    QTest::newRow("difference") << "q.radius - p.radius"
+                                << text("Contact is tested at r₂ − r₁, not at r₁ + r₂");
+    QTest::newRow("either") << "math.abs(q.radius - p.radius)"
+                            << text("Contact is tested at the difference of the radii, not at r₁ + "
+                                    "r₂");
+    QTest::newRow("a number for r2")
+        << "p.radius + 0.2" << text("The test of contact acts as if a number stood for r₂");
+    QTest::newRow("a number for r1")
+        << "0.2 + q.radius" << text("The test of contact acts as if a number stood for r₁");
+    // With the two radii that are answered at all, this is half of their sum, too.
+    QTest::newRow("by chance") << "2 * math.abs(p.radius - q.radius)"
+                               << text("The circles are answered too late, or not at all");
+}
+
+void TestToldHits::distanceIsNamedByTwoPairs()
+{
+    QFETCH(QString, reach);
+    QFETCH(QString, headline);
+    const auto found = foundOfHit({.reach = reach, .e = e});
+    QVERIFY2(!bodyOf(found, headline).isEmpty(),
+             qPrintable(found.empty() ? QString() : found.front().message));
+}
+
+/// Who answers only circles that move apart shows how, and nothing else where that is right.
+void TestToldHits::answerOfPartingsIsTold()
+{
+    const QString parting = text("The circles answer when they part, not when they meet");
+    const auto found = foundOfHit({.approach = text("closing < 0"),
+                                   .e = e,
+                                   .answer = text("p.velocity, q.velocity = q.velocity, "
+                                                  "p.velocity")});
+    QVERIFY(!bodyOf(found, parting).isEmpty());
+    const QString body = bodyOf(found, text("The circles exchange their whole velocities"));
+    QVERIFY2(body.contains(text("Seen of circles that move apart")), qPrintable(body));
+    const auto n = numbersIn(body, "circle 1 came with # m/s and circle 2 with # m/s; they left "
+                                   "with # and #; # and # are right.");
+    QVERIFY2(n.size() == 6, qPrintable(body));
+    QVERIFY(isNear(n[2], n[1]) && isNear(n[3], n[0]));
+    QVERIFY(isNear(n[4], n[0]) && isNear(n[5], n[1])); // across the line of centres
+    QCOMPARE(foundOfHit({.approach = text("closing < 0"), .e = e}).size(), std::size_t{1});
+}
+
+void TestToldHits::massOfOneInThePushIsTold_data()
+{
+    QTest::addColumn<QString>("mass");
+    QTest::addColumn<QString>("circle");
+    QTest::newRow("1") << "m1"
+                       << "1";
+    QTest::newRow("2") << "m2"
+                       << "2";
+}
+
+void TestToldHits::massOfOneInThePushIsTold()
+{
+    QFETCH(QString, mass);
+    QFETCH(QString, circle);
+    const auto found = foundOfHit({.e = e,
+                                   .answer = text("local j = (1 + e) * closing / (1 / %1 + 1 / %1) "
+                                                  "p.velocity = p.velocity - j / m1 * n "
+                                                  "q.velocity = q.velocity + j / m2 * n")
+                                                 .arg(mass)});
+    const QString body = bodyOf(
+        found, text("The size of the push hangs on the mass of circle %1 alone").arg(circle));
+    const auto n = numbersIn(body, "With r₁ = # and r₂ = # m: Along the line of centres, from 1 to "
+                                   "2, circle 1 came with # m/s and circle 2 with # m/s; they left "
+                                   "with # and #; # and # are right.");
+    QVERIFY2(n.size() == 8, qPrintable(found.empty() ? QString() : found.front().message));
+    const double heavy = std::pow(n[1] / n[0], 3.0);
+    const double times = 0.5 * (1.0 + (circle == QLatin1String("1") ? 1.0 / heavy : heavy));
+    QVERIFY(std::abs((n[4] - n[2]) - times * (n[6] - n[2])) < 0.02 * times);
+    QVERIFY(std::abs((n[5] - n[3]) - times * (n[7] - n[3])) < 0.02 * times);
+}
+
+void TestToldHits::wholeVelocityTurnedRoundIsTold()
+{
+    const auto found = foundOfHit(
+        {.e = e,
+         .answer = text("local m = (m1 * p.velocity + m2 * q.velocity) / (m1 + m2) "
+                        "p.velocity, q.velocity = m - e * (p.velocity - m), m - e * (q.velocity - "
+                        "m)")});
+    QVERIFY(!bodyOf(found, text("The whole relative velocity is turned round")).isEmpty());
+    QCOMPARE(found.size(), std::size_t{1});
 }
 
 /// Of two faults the numbers of one stand below its own headline alone.

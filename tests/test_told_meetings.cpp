@@ -5,6 +5,8 @@
 
 #include "tests/told_numbers.h"
 
+#include <cmath>
+
 using namespace cradle;
 using namespace cradle::programs;
 using namespace cradle::told;
@@ -36,6 +38,7 @@ private slots:
     void fastMeetingIsTold();
     void meetingThatIsNotFastEnoughIsTold();
     void smallPushIsOne();
+    void partsOfOtherRadiiAreTold();
 
 private:
     /// What is said in \p step of a program with that hit, below \p headline.
@@ -378,6 +381,28 @@ void TestToldMeetings::smallPushIsOne()
                                     "q.velocity = q.velocity + j / m2 * n")};
     QVERIFY(body("L42T14", law, text("Some hits of the two circles are not answered")).isEmpty());
     QVERIFY(!body("L42T14", law, text("The push has a wrong size that depends on")).isEmpty());
+}
+
+/// Where nobody asks for masses yet: what changes hands is weighted with the radii.
+void TestToldMeetings::partsOfOtherRadiiAreTold()
+{
+    const auto weighted = [](const char *share) {
+        return text("local u, w = p.velocity:dot(n), q.velocity:dot(n) "
+                    "local k = %1 "
+                    "p.velocity = p.velocity + (w * k - u) * n "
+                    "q.velocity = q.velocity + (u / k - w) * n")
+            .arg(text(share));
+    };
+    const QString headline = text("Circles of different radii come out of a hit wrong");
+    const QString said = body("L42T13", {.answer = weighted("q.radius / p.radius")}, headline);
+    const auto n = numbersIn(said, "With r₁ = # and r₂ = # m: Along the line of centres, from 1 to "
+                                   "2, circle 1 came with # m/s and circle 2 with # m/s; they left "
+                                   "with # and #; # and # are right.");
+    QVERIFY2(n.size() == 8, qPrintable(said));
+    QVERIFY(std::abs(n[4] - n[3] * n[1] / n[0]) < 0.01);
+    QVERIFY(isNear(n[6], n[3]) && isNear(n[7], n[2]));
+    QVERIFY(body("L42T13", {.answer = weighted("1")}, headline).isEmpty());
+    QVERIFY(body("L42T13", {}, headline).isEmpty()); // as balls, which is allowed, too
 }
 
 QTEST_GUILESS_MAIN(TestToldMeetings)

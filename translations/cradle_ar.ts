@@ -5220,6 +5220,58 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>Beside a wall the velocity of another circle changes</source>
         <translation>بجانب جدار تتغير سرعة دائرة أخرى</translation>
     </message>
+    <message>
+        <source>Through this the hits of the two circles cannot be judged yet.</source>
+        <translation>بسبب ذلك لا يمكن بعد الحكم على تصادمات الدائرتين.</translation>
+    </message>
+    <message>
+        <source>all at the very start of a run, none later</source>
+        <translation>كلها في أول التشغيل تمامًا، ولا شيء منها بعد ذلك</translation>
+    </message>
+    <message>
+        <source>all at the very start of a run, none from %1 s on</source>
+        <translation>كلها في أول التشغيل تمامًا، ولا شيء منها ابتداءً من ⁦%1 s⁩</translation>
+    </message>
+    <message>
+        <source>Seen of circles that move apart, which your program answers as if they met; right is what the answer should make of these velocities.</source>
+        <translation>شوهد هذا في دائرتين تتباعدان، يستجيب لهما برنامجك كأنهما تلتقيان؛ الصواب هو ما ينبغي أن تجعله الاستجابة من هاتين السرعتين.</translation>
+    </message>
+    <message>
+        <source>The test of contact acts as if a number stood for %1</source>
+        <translation>يعمل اختبار التلامس كأن عددًا يقوم مقام ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>With all radii tried they answer where the distance of the centres is between %1 + %2 m and %1 + %3 m.</source>
+        <translation>مع كل أنصاف الأقطار التي جُرّبت تستجيبان حيث تقع المسافة بين المركزين بين ⁦%1 + %2 m⁩ و⁦%1 + %3 m⁩.</translation>
+    </message>
+    <message>
+        <source>The whole relative velocity is turned round</source>
+        <translation>تنعكس السرعة النسبية كاملة</translation>
+    </message>
+    <message>
+        <source>What turns the parts along the line of centres round does the same to those across. A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
+        <translation>ما يعكس المركّبتين على خط المركزين يفعل الشيء نفسه بالمركّبتين المعامدتين. الدائرة الملساء لا تدفع إلا على خط المركزين؛ وكلٌّ تحتفظ بمركّبتها المعامدة.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m: </source>
+        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩: </translation>
+    </message>
+    <message>
+        <source>Circles of different radii come out of a hit wrong</source>
+        <translation>دائرتان مختلفتا نصف القطر تخرجان من التصادم على نحو خاطئ</translation>
+    </message>
+    <message>
+        <source>Circles of the same radius come out right: look at where the radii enter what each of the two gets of the other.</source>
+        <translation>دائرتان لهما نصف القطر نفسه تخرجان منه على نحو صحيح: انظر أين يدخل نصفا القطر في ما تأخذه كل منهما من الأخرى.</translation>
+    </message>
+    <message>
+        <source>The size of the push hangs on the mass of circle %1 alone</source>
+        <translation>مقدار الدفع يتوقف على كتلة الدائرة ⁨%1⁩ وحدها</translation>
+    </message>
+    <message>
+        <source>In all hits tried both pushes are as large as if both circles had the mass of circle %1; what each makes of its own push is right. Look at which masses stand in the size of the push.</source>
+        <translation>في كل التصادمات التي جُرّبت يكون الدفعان كبيرين كأن لكلتا الدائرتين كتلة الدائرة ⁨%1⁩؛ وما تجعله كلٌّ من دفعها صحيح. انظر أي كتل تدخل في مقدار الدفع.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

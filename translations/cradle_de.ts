@@ -5144,6 +5144,58 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>Beside a wall the velocity of another circle changes</source>
         <translation>Neben einer Wand ändert sich die Geschwindigkeit eines anderen Kreises</translation>
     </message>
+    <message>
+        <source>Through this the hits of the two circles cannot be judged yet.</source>
+        <translation>Dadurch lassen sich die Stöße der beiden Kreise noch nicht beurteilen.</translation>
+    </message>
+    <message>
+        <source>all at the very start of a run, none later</source>
+        <translation>alle ganz am Anfang eines Laufs, keine später</translation>
+    </message>
+    <message>
+        <source>all at the very start of a run, none from %1 s on</source>
+        <translation>alle ganz am Anfang eines Laufs, keine ab %1 s</translation>
+    </message>
+    <message>
+        <source>Seen of circles that move apart, which your program answers as if they met; right is what the answer should make of these velocities.</source>
+        <translation>Gesehen an Kreisen, die sich voneinander entfernen: Ihnen antwortet dein Programm, als träfen sie sich; richtig ist, was die Antwort aus diesen Geschwindigkeiten machen soll.</translation>
+    </message>
+    <message>
+        <source>The test of contact acts as if a number stood for %1</source>
+        <translation>Der Test auf Berührung wirkt, als stünde eine Zahl für %1</translation>
+    </message>
+    <message>
+        <source>With all radii tried they answer where the distance of the centres is between %1 + %2 m and %1 + %3 m.</source>
+        <translation>Mit allen versuchten Radien antworten sie, wo der Abstand der Mittelpunkte zwischen %1 + %2 m und %1 + %3 m liegt.</translation>
+    </message>
+    <message>
+        <source>The whole relative velocity is turned round</source>
+        <translation>Die ganze relative Geschwindigkeit wird umgekehrt</translation>
+    </message>
+    <message>
+        <source>What turns the parts along the line of centres round does the same to those across. A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
+        <translation>Was die Anteile längs der Verbindungslinie umkehrt, tut dasselbe mit denen quer dazu. Ein glatter Kreis stößt nur längs der Verbindungslinie der Mittelpunkte; jeder behält seinen eigenen Anteil quer dazu.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m: </source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m: </translation>
+    </message>
+    <message>
+        <source>Circles of different radii come out of a hit wrong</source>
+        <translation>Kreise mit verschiedenen Radien gehen falsch aus einem Stoß hervor</translation>
+    </message>
+    <message>
+        <source>Circles of the same radius come out right: look at where the radii enter what each of the two gets of the other.</source>
+        <translation>Kreise mit gleichem Radius gehen richtig daraus hervor: Sieh nach, wo die Radien in das eingehen, was jeder der beiden vom anderen bekommt.</translation>
+    </message>
+    <message>
+        <source>The size of the push hangs on the mass of circle %1 alone</source>
+        <translation>Wie groß der Kraftstoß ist, hängt allein an der Masse von Kreis %1</translation>
+    </message>
+    <message>
+        <source>In all hits tried both pushes are as large as if both circles had the mass of circle %1; what each makes of its own push is right. Look at which masses stand in the size of the push.</source>
+        <translation>In allen versuchten Stößen sind beide Kraftstöße so groß, als hätten beide Kreise die Masse von Kreis %1; was jeder aus seinem eigenen macht, ist richtig. Sieh nach, welche Massen in der Größe des Kraftstoßes stehen.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5144,6 +5144,58 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>Beside a wall the velocity of another circle changes</source>
         <translation>Près d&apos;une paroi, la vitesse d&apos;un autre cercle change</translation>
     </message>
+    <message>
+        <source>Through this the hits of the two circles cannot be judged yet.</source>
+        <translation>À cause de cela, les chocs des deux cercles ne peuvent pas encore être jugés.</translation>
+    </message>
+    <message>
+        <source>all at the very start of a run, none later</source>
+        <translation>tous au tout début d&apos;une exécution, aucun plus tard</translation>
+    </message>
+    <message>
+        <source>all at the very start of a run, none from %1 s on</source>
+        <translation>tous au tout début d&apos;une exécution, aucun à partir de %1 s</translation>
+    </message>
+    <message>
+        <source>Seen of circles that move apart, which your program answers as if they met; right is what the answer should make of these velocities.</source>
+        <translation>Vu sur des cercles qui s&apos;éloignent l&apos;un de l&apos;autre, auxquels votre programme réagit comme s&apos;ils se rencontraient&#xa0;; ce qui est juste est ce que la réponse devrait faire de ces vitesses.</translation>
+    </message>
+    <message>
+        <source>The test of contact acts as if a number stood for %1</source>
+        <translation>Le test de contact agit comme si un nombre tenait lieu de %1</translation>
+    </message>
+    <message>
+        <source>With all radii tried they answer where the distance of the centres is between %1 + %2 m and %1 + %3 m.</source>
+        <translation>Avec tous les rayons essayés, ils réagissent là où la distance des centres est entre %1 + %2 m et %1 + %3 m.</translation>
+    </message>
+    <message>
+        <source>The whole relative velocity is turned round</source>
+        <translation>La vitesse relative entière est inversée</translation>
+    </message>
+    <message>
+        <source>What turns the parts along the line of centres round does the same to those across. A smooth circle pushes along the line of centres only; each keeps its own part across.</source>
+        <translation>Ce qui inverse les composantes suivant la ligne des centres fait de même avec les composantes perpendiculaires. Un cercle lisse ne pousse que suivant la ligne des centres&#xa0;; chacun garde sa propre composante perpendiculaire.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 and r₂ = %2 m: </source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m&#xa0;: </translation>
+    </message>
+    <message>
+        <source>Circles of different radii come out of a hit wrong</source>
+        <translation>Des cercles de rayons différents sortent mal d&apos;un choc</translation>
+    </message>
+    <message>
+        <source>Circles of the same radius come out right: look at where the radii enter what each of the two gets of the other.</source>
+        <translation>Des cercles de même rayon en sortent bien&#xa0;: regardez où les rayons entrent dans ce que chacun des deux reçoit de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>The size of the push hangs on the mass of circle %1 alone</source>
+        <translation>La grandeur de la poussée dépend de la masse du cercle %1 seul</translation>
+    </message>
+    <message>
+        <source>In all hits tried both pushes are as large as if both circles had the mass of circle %1; what each makes of its own push is right. Look at which masses stand in the size of the push.</source>
+        <translation>Dans tous les chocs essayés, les deux poussées sont aussi grandes que si les deux cercles avaient la masse du cercle %1&#xa0;; ce que chacun fait de la sienne est juste. Regardez quelles masses figurent dans la grandeur de la poussée.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -30,7 +30,7 @@ private:
             return;
         const PairHit &hit = farthestOff();
         for (const ContactTest &test : contactTests()) {
-            if (!isTold() || !fitsAll(test.distance))
+            if (!isTold(test.distance) || !fitsAll(test.distance))
                 continue;
             QString body = test.body;
             body.replace(QLatin1String("%1"), brief(hit.meeting.sum()));
@@ -55,17 +55,73 @@ private:
                && std::all_of(m_own.otherRadii.begin(), m_own.otherRadii.end(), fits);
     }
 
-    /// Whether circles of several radii met: one distance fits many formulas by chance.
-    [[nodiscard]] bool isTold() const
+    /// Whether circles of several radii show that \p distance: one pair, either of which may be
+    /// circle 1, fits many formulas by chance. Where it is none, no meeting is answered.
+    [[nodiscard]] bool isTold(const std::function<double(const PairHit &)> &distance) const
     {
         std::set<std::pair<double, double>> radii;
         for (const auto *hits : {&m_own.contacts, &m_own.otherRadii}) {
             for (const PairHit &hit : *hits) {
-                if (hit.isMet())
-                    radii.insert({hit.meeting.radius1, hit.meeting.radius2});
+                const Meeting &m = hit.meeting;
+                if (hit.isMet() || (!hit.answered && distance(hit) <= 0.0))
+                    radii.insert({std::min(m.radius1, m.radius2), std::max(m.radius1, m.radius2)});
             }
         }
         return radii.size() > 1;
+    }
+
+    /// What is compared in all of \p hits besides \p known, from and to, m; nothing where that is
+    /// no number, or some are not answered.
+    [[nodiscard]] static std::optional<std::pair<double, double>>
+    numberBeside(const std::vector<PairHit> &hits, double (*known)(const Meeting &))
+    {
+        double low = 0.0;
+        double high = std::numeric_limits<double>::infinity();
+        double late = high; // an answer may be a step late
+        for (const PairHit &h : hits) {
+            const double rest = known(h.meeting);
+            low = std::max(low, h.reached - rest);
+            high = std::min(high, h.before - rest);
+            late = std::min(late, 2.0 * h.before - h.reached - rest);
+        }
+        high = low <= high ? high : late;
+        const bool answersAll =
+            std::all_of(hits.begin(), hits.end(), [](const PairHit &h) { return h.answered; });
+        return answersAll && low <= high ? std::optional(std::pair(low, high)) : std::nullopt;
+    }
+
+    /// A number in place of both radii or of one. \return whether it is told
+    bool findNumber(const std::vector<PairHit> &all, const PairHit &hit)
+    {
+        if (!isTold([](const PairHit &) { return 1.0; }))
+            return false;
+        if (const auto number = numberBeside(all, [](const Meeting &) { return 0.0; })) {
+            add(ContactText::tr("The test of contact acts as if a number stood for r₁ + r₂"),
+                ContactText::tr("With all radii tried they answer at the same distance, "
+                                "between %1 and %2 m.")
+                        .arg(brief(number->first), brief(number->second))
+                    + QLatin1Char(' ') + seen(hit),
+                hit, Suspect::Reach);
+            return true;
+        }
+        for (const int circle : {1, 2}) {
+            const auto number = circle == 1
+                                    ? numberBeside(all, [](const Meeting &m) { return m.radius1; })
+                                    : numberBeside(all, [](const Meeting &m) { return m.radius2; });
+            if (!number)
+                continue;
+            const QString radius = QString::fromUtf8(circle == 1 ? "r₁" : "r₂");
+            const QString other = QString::fromUtf8(circle == 1 ? "r₂" : "r₁");
+            add(ContactText::tr("The test of contact acts as if a number stood for %1").arg(other),
+                ContactText::tr(
+                    "With all radii tried they answer where the distance of the centres "
+                    "is between %1 + %2 m and %1 + %3 m.")
+                        .arg(radius, brief(number->first), brief(number->second))
+                    + QLatin1Char(' ') + seen(hit),
+                hit, Suspect::Reach);
+            return true;
+        }
+        return false;
     }
 
     /// Unequal circles show best whose radius counts.
@@ -106,26 +162,8 @@ private:
             }))
             return;
         all.insert(all.end(), m_own.otherRadii.begin(), m_own.otherRadii.end());
-        double low = 0.0;
-        double high = std::numeric_limits<double>::infinity();
-        double late = high; // an answer may be a step late
-        for (const PairHit &h : all) {
-            low = std::max(low, h.reached);
-            high = std::min(high, h.before);
-            late = std::min(late, 2.0 * h.before - h.reached);
-        }
-        high = low <= high ? high : late;
-        const bool answersAll =
-            std::all_of(all.begin(), all.end(), [](const PairHit &h) { return h.answered; });
-        if (isTold() && answersAll && low <= high) {
-            add(ContactText::tr("The test of contact acts as if a number stood for r₁ + r₂"),
-                ContactText::tr("With all radii tried they answer at the same distance, "
-                                "between %1 and %2 m.")
-                        .arg(brief(low), brief(high))
-                    + QLatin1Char(' ') + seen(hit),
-                hit, Suspect::Reach);
+        if (findNumber(all, hit))
             return;
-        }
         const bool early = hit.reached > hit.meeting.sum();
         // What comes right from some sides has the reach right; the distance is not.
         const bool isOfSides = std::any_of(all.begin(), all.end(), [&](const PairHit &h) {

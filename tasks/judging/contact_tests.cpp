@@ -81,6 +81,8 @@ std::vector<ContactTest> contactTests()
     add([](double a, double b) { return std::min(a, b); }, ContactText::tr("the smaller radius"));
     add([](double a, double b) { return 2.0 * std::min(a, b); },
         ContactText::tr("twice the smaller radius"));
+    add([](double a, double b) { return b - a; }, QStringLiteral("r₂ − r₁"));
+    add([](double a, double b) { return a - b; }, QStringLiteral("r₁ − r₂"));
     add([](double a, double b) { return std::abs(a - b); },
         ContactText::tr("the difference of the radii"));
     add([](double a, double b) { return 2.0 * std::max(a, b); },

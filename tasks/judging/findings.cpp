@@ -69,12 +69,27 @@ public:
             if (aspect == Aspect::Walls)
                 takeOwnWalls();
         }
+        tellUnseenHits();
         takeMissedMeeting();
         takeRestitution();
         return std::move(m_findings);
     }
 
 private:
+    /// That nothing is known of hits yet, behind what is wrong with the motion.
+    void tellUnseenHits()
+    {
+        const auto at = std::find_if(m_findings.rbegin(), m_findings.rend(),
+                                     [](const Finding &f) { return f.aspect == Aspect::Motion; });
+        const auto isMet = [](const PairHit &hit) { return hit.isMet(); };
+        const std::vector<PairHit> &right = m_right.pair().contacts;
+        if (at != m_findings.rend() && m_ground.pair.asked && !m_own.pair().isJudged
+            && std::any_of(right.begin(), right.end(), isMet))
+            at->message +=
+                QStringLiteral("\n\n")
+                + JudgeText::tr("Through this the hits of the two circles cannot be judged yet.");
+    }
+
     /// The e of the own scene, after what else is wrong with the start.
     void takeRestitution()
     {
@@ -267,9 +282,14 @@ private:
 
     void take(Aspect aspect, const std::vector<LawDeviation> &deviations)
     {
-        if (deviations.empty() || !m_deviations.isAsked(aspect)
-            || m_lines->isMendedBefore(deviations.front(), m_findings))
+        if (deviations.empty() || !m_deviations.isAsked(aspect))
             return;
+        if (m_lines->isMendedBefore(deviations.front(), m_findings)) {
+            if (aspect == Aspect::Response && !m_findings.empty()
+                && m_findings.back().aspect == Aspect::Contact)
+                tellMended(deviations.front());
+            return;
+        }
         // What a mistake was named for before may show here, too.
         if (m_named && isLike(*m_named, m_own, aspect, m_known->ground()))
             return;
@@ -288,11 +308,16 @@ private:
             if (!m_lines->isMendedBefore(deviation, m_findings))
                 add(deviation, {}, deviation.message);
             else if (&deviation == &deviations[1] && aspect == Aspect::Motion)
-                m_findings.back().message +=
-                    QLatin1Char(' ')
-                    + JudgeText::tr("The same fault shows in this, too: %1.")
-                          .arg(deviation.message.section(QLatin1Char('\n'), 0, 0));
+                tellMended(deviation);
         }
+    }
+
+    /// With what was told last, which the same change mends.
+    void tellMended(const LawDeviation &deviation)
+    {
+        m_findings.back().message += QLatin1Char(' ')
+                                     + JudgeText::tr("The same fault shows in this, too: %1.")
+                                           .arg(deviation.message.section(QLatin1Char('\n'), 0, 0));
     }
 
     /// A field that nothing reads, where no other line is known to be at fault.

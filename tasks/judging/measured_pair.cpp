@@ -228,6 +228,9 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         radii.push_back(range.look({61.0, large, large, light, light, e, both}));
     } else {
         larger = range.look({61.0, 1.4 * small, 1.4 * small, light, light, e, both});
+        if (asked.radii.isVaried())
+            sizes = {range.look({33.0, small, large, light, light, e, both}),
+                     range.look({33.0, large, small, light, light, e, both})};
     }
     if (asked.densities.isVaried() && asked.masses) {
         densities.push_back(range.look({33.0, small, small, light, dense, e, both}));
@@ -252,9 +255,14 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         varied = range.varied(e);
     if (!varied.empty())
         opposite = range.opposite(small);
+    areOfParting = answersPartingsAlone();
+    for (auto *hits : {&equals, &radii, &sizes, &densities, &rebounds}) {
+        for (PairHit &hit : *hits)
+            hit = areOfParting ? range.parted(hit.meeting) : hit;
+    }
     // What is said of a program that stopped is its error.
     const auto stopped = [](const PairHit &hit) { return hit.stopped; };
-    for (const auto *hits : {&contacts, &equals, &radii, &densities, &rebounds})
+    for (const auto *hits : {&contacts, &equals, &radii, &sizes, &densities, &rebounds})
         isJudged = isJudged && std::none_of(hits->begin(), hits->end(), stopped);
     if (range.isUsual())
         own = range.own();
@@ -273,6 +281,16 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         slow = range.approach(slow->meeting);
     if (asked.oblique && asked.bothMove && range.isUsual() && some >= leastRestitution)
         later = range.later(small, light, some);
+}
+
+bool MeasuredPair::answersPartingsAlone() const
+{
+    const auto isMet = [](const PairHit &hit) { return hit.isMet(); };
+    const auto answered = [](const PairHit &hit) { return hit.answered && hit.step == 1; };
+    return std::none_of(contacts.begin(), contacts.end(), isMet)
+           && std::none_of(equals.begin(), equals.end(), isMet)
+           && std::none_of(varied.begin(), varied.end(), isMet)
+           && std::all_of(partings.begin(), partings.end(), answered);
 }
 
 bool arePushedAlong(const MeasuredPair &pair)

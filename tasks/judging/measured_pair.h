@@ -137,7 +137,10 @@ struct MeasuredPair {
     [[nodiscard]] bool sequelIsLike(const MeasuredPair &other) const;
     [[nodiscard]] bool responseIsLike(const MeasuredPair &other) const;
 
-    bool isJudged = false;           ///< both free flights are known
+    bool isJudged = false; ///< both free flights are known
+    /// No meeting is answered in time, and those that part are: what answers equal and unequal
+    /// circles, with every e, is seen of such.
+    bool areOfParting = false;
     std::vector<PairHit> contacts{}; ///< slowly, from all around: when are they answered?
     /// Where some of these come at a wrong distance, and radii are not varied: with other radii.
     std::vector<PairHit> otherRadii{};
@@ -145,6 +148,7 @@ struct MeasuredPair {
     std::vector<PairHit> equals{};    ///< equal circles, e as it is without losses
     std::vector<PairHit> radii{};     ///< one is larger
     std::optional<PairHit> larger{};  ///< where sizes are not varied: two larger equal ones
+    std::vector<PairHit> sizes{};     ///< one is larger, where any masses are allowed
     std::vector<PairHit> densities{}; ///< one is denser
     std::vector<PairHit> rebounds{};  ///< the other values of e
     std::vector<PairHit> partings{};  ///< they overlap and move apart: nothing should happen
@@ -161,6 +165,9 @@ struct MeasuredPair {
     std::optional<PairHit> fast{};      ///< and so fast that they are deep in each other at once
     std::optional<LaterHit> later{};    ///< two hits with different lines of centres
     std::optional<PairHit> returning{}; ///< if so: circle 2 comes to circle 1 for the first time
+
+private:
+    [[nodiscard]] bool answersPartingsAlone() const;
 };
 
 /// Whether all equal circles are pushed along the line of centres.

@@ -40,6 +40,10 @@ public:
     /// Overlaps and moves apart: one step.
     [[nodiscard]] PairHit part(const Meeting &meeting) const;
 
+    /// The same circles deep in each other, with the velocities turned round, so that they move
+    /// apart: one short step, judged as a hit of circles that meet.
+    [[nodiscard]] PairHit parted(Meeting meeting) const;
+
     /// In many ways, each in a run of its own: from all sides, here and there, one of them or both
     /// coming, of all sizes that the step asks about.
     [[nodiscard]] std::vector<PairHit> varied(double restitution) const;

@@ -114,6 +114,15 @@ std::vector<PairHit> PairRange::varied(double restitution) const
     return hits;
 }
 
+PairHit PairRange::parted(Meeting meeting) const
+{
+    constexpr double deep = 0.4; // of r₁ + r₂: who asks for half of it answers them, too
+    meeting.velocities = faster(meeting.velocities, -1.0);
+    PairHit hit = meet(meeting, deep * meeting.sum(), deep * meeting.sum(), shortStep, 1);
+    hit.parting = false;
+    return hit;
+}
+
 PairHit PairRange::afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) const
 {
     PairHit hit{.slowness = slowness(m_h)};

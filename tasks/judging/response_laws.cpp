@@ -101,6 +101,20 @@ std::vector<ResponseLaw> exchangeLaws()
     return {
         {exchanged, ResponseLawText::tr("The circles exchange their whole velocities"), along,
          true},
+        {[](Hit h) {
+             const Meeting &m = h.hit.meeting;
+             const double heavy =
+                 std::pow(m.radius2 / m.radius1, 3) * m.density2 / m.density1; // m₂/m₁
+             const double mean = (h.in.across1 + heavy * h.in.across2) / (1.0 + heavy);
+             return PairVelocities{h.right.along1, mean + m.restitution * (mean - h.in.across1),
+                                   h.right.along2, mean + m.restitution * (mean - h.in.across2)};
+         },
+         ResponseLawText::tr("The whole relative velocity is turned round"),
+         ResponseLawText::tr(
+             "What turns the parts along the line of centres round does the same to "
+             "those across. A smooth circle pushes along the line of centres only; "
+             "each keeps its own part across."),
+         true},
         {exchanged, ResponseLawText::tr("Two equal circles exchange their whole velocities"), along,
          false, true},
         {[](Hit h) {

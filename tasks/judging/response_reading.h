@@ -64,6 +64,16 @@ struct MassExponents {
 [[nodiscard]] std::optional<LawDeviation> sharedPushDeviation(const MeasuredPair &own,
                                                               const MeasuredPair &right);
 
+/// Where any masses are allowed, that circles of two sizes come out right with none: neither do
+/// their parts along the line of centres change hands, nor are they pushed as balls.
+[[nodiscard]] std::optional<LawDeviation> sizeDeviation(const MeasuredPair &own,
+                                                        const MeasuredPair &right);
+
+/// That the push on both is as large as if circle 1, or circle 2, had the mass of both:
+///     J = (1 + e) m/2 u  in place of  (1 + e) m₁ m₂ / (m₁ + m₂) u
+[[nodiscard]] std::optional<LawDeviation> loneMassDeviation(const MeasuredPair &own,
+                                                            const MeasuredPair &right);
+
 /// In what the masses of \p own are not those of \p right.
 /// \param areEqualsRight  hits of equal circles are: else only clear powers are told
 [[nodiscard]] std::vector<LawDeviation>

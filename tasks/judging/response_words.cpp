@@ -43,6 +43,10 @@ public:
             for (LawDeviation &deviation : rebound.deviations)
                 m_found.push_back(std::move(deviation));
         }
+        if (m_own.areOfParting)
+            return std::move(m_found);
+        if (m_found.empty() && m_equal.isRight)
+            take(sizeDeviation(m_own, m_right));
         const bool isElseRight = m_found.empty();
         if ((isElseRight || isOnlyMasses(rebound)) && m_equal.isRight
             && (!isElseRight || !wrongUnequal().first))
@@ -130,6 +134,9 @@ private:
         // Whoever is hit again while they part has more than one answer in it.
         if (!m_equal.isRight || !hit || (m_own.twice && !m_right.twice))
             return;
+        take(loneMassDeviation(m_own, m_right));
+        if (!m_found.empty())
+            return;
         const Meeting &m = hit->meeting;
         // Where equal circles keep their velocities without losses, nothing is known of them.
         const bool isOfE = m.restitution != m_own.equals.front().meeting.restitution
@@ -152,6 +159,34 @@ private:
     std::vector<LawDeviation> m_found;
     EqualReading m_equal{};
 };
+
+/// \p pair with all velocities turned round, those of circles that move apart: what one impulse
+/// gives is turned round with them.
+MeasuredPair turnedRound(MeasuredPair pair)
+{
+    for (auto *hits : {&pair.equals, &pair.radii, &pair.sizes, &pair.densities, &pair.rebounds}) {
+        for (PairHit &hit : *hits) {
+            hit.meeting.velocities = faster(hit.meeting.velocities, -1.0);
+            for (Vec2 *velocity : {&hit.came1, &hit.came2, &hit.left1, &hit.left2})
+                *velocity = -*velocity;
+        }
+    }
+    return pair;
+}
+
+/// Whose hits the numbers of \p found are, where circles that meet are not answered.
+void tellParting(std::vector<LawDeviation> &found)
+{
+    for (LawDeviation &each : found)
+        each.message.replace(
+            QStringLiteral("\n\n"),
+            QStringLiteral("\n\n")
+                + ResponseText::tr(
+                    "Seen of circles that move apart, which your program answers as if "
+                    "they met; right is what the answer should make of these "
+                    "velocities.")
+                + QLatin1Char(' '));
+}
 
 } // namespace
 
@@ -232,7 +267,18 @@ std::vector<LawDeviation> responseDeviations(const MeasuredPair &own, const Meas
         || (std::none_of(own.equals.begin(), own.equals.end(), answered)
             && std::none_of(own.rebounds.begin(), own.rebounds.end(), answered)))
         return {};
-    return ResponseJudge(own, right).judge();
+    if (!own.areOfParting)
+        return ResponseJudge(own, right).judge();
+    const MeasuredPair turned = turnedRound(right);
+    const std::vector<EqualHit> equals = comparableHits(own.equals, turned.equals);
+    // Who pushes by the size of the closing speed alone makes something else of those that meet.
+    if (std::any_of(equals.begin(), equals.end(), [](const EqualHit &h) {
+            return isSameAnswer(h.hit.leftParts(), pushed(h, -1.0));
+        }))
+        return {};
+    std::vector<LawDeviation> found = ResponseJudge(own, turned).judge();
+    tellParting(found);
+    return found;
 }
 
 } // namespace cradle

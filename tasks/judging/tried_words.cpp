@@ -71,6 +71,18 @@ QString limitText(Tried kind)
     }
 }
 
+/// What comes right up to a time; one that nobody sees pass is none.
+QString untilPhrase(const Condition &condition)
+{
+    constexpr double unseen = 0.005; // s, less than a step that anybody takes
+    if (condition.outside < unseen)
+        return TriedText::tr("all at the very start of a run, none later");
+    if (condition.inside < unseen)
+        return TriedText::tr("all at the very start of a run, none from %1 s on")
+            .arg(briefBeside(condition.outside, condition.inside));
+    return withLimits(limitText(condition.kind), condition);
+}
+
 } // namespace
 
 QString triedPhrase(const Condition &condition)
@@ -119,6 +131,8 @@ QString triedPhrase(const Condition &condition)
         return TriedText::tr("all while another circle moved upward, no others");
     case Tried::OtherDownward:
         return TriedText::tr("all while another circle moved downward, no others");
+    case Tried::Until:
+        return untilPhrase(condition);
     default:
         return withLimits(limitText(condition.kind), condition);
     }
