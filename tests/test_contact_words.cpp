@@ -83,9 +83,9 @@ void TestContactWords::faultIsTold_data()
             });
     }
     const char *const back = "The circles are held and keep their velocities";
-    row(back, missedBy([](PairHit &h) { h.moved1 = true; }), "circle 1 was taken away");
-    row(back, missedBy([](PairHit &h) { h.moved2 = true; }), "circle 2 was taken away");
-    row(back, missedBy([](PairHit &h) { h.moved1 = h.moved2 = true; }), "both were taken away");
+    row(back, missedBy([](PairHit &h) { h.moved1 = true; }), "circle 1 did not move on");
+    row(back, missedBy([](PairHit &h) { h.moved2 = true; }), "circle 2 did not move on");
+    row(back, missedBy([](PairHit &h) { h.moved1 = h.moved2 = true; }), "neither moved on");
     row("A hit changes the places of the circles, not their velocities", missedBy([](PairHit &h) {
             h.moved2 = true;
             h.leaper = 1;

@@ -332,12 +332,12 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
         return own.at(ground.gravities.front(), ground.timesteps.front(), circle);
     };
     for (const auto &[circle, all] : saidOfAll(own, right, ground)) {
+        const Flight &flight = flightOf(circle);
         for (const FlightSaid &said : all) {
             const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
                 return group.first.headline == said.headline
                        && (group.first.body == said.body
-                           || isOneLaw(flightOf(group.second.front()), flightOf(circle),
-                                       said.isMethod));
+                           || isOneLaw(flightOf(group.second.front()), flight, said.isMethod));
             });
             if (same == groups.end())
                 groups.push_back({said, {circle}});

@@ -4,6 +4,7 @@
 #include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cradle {
@@ -51,7 +52,8 @@ std::optional<LawDeviation> ownMasses(const PairHit &hit, const MeasuredPair &ow
 
 } // namespace
 
-std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRight)
+std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, const MeasuredPair &right,
+                                         bool isElseRight)
 {
     if (!own.own || !own.own->fits(own.own->meeting.sum()))
         return std::nullopt;
@@ -65,7 +67,17 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRig
     // Who does neither does something else than what it does in other scenes.
     if (masses || isRebound)
         return isRebound ? masses : std::nullopt;
-    if (own.rebounds.empty() || closing < 1e-6)
+    // What depends on the depth has words of its own.
+    const auto isRight = [](const PairHit &h) {
+        const PairVelocities in = h.cameParts();
+        const PairVelocities out = h.leftParts();
+        const double came = in.along1 - in.along2;
+        return h.isMet()
+               && std::abs(out.along2 - out.along1 - h.meeting.restitution * came) < 1e-3 * came;
+    };
+    if (own.rebounds.empty() || closing < 1e-6
+        || !std::all_of(own.rebounds.begin(), own.rebounds.end(), isRight)
+        || overlapDeviation(own, right))
         return std::nullopt;
     return responseDeviation(
         ResponseText::tr("In your own scene the hit does not use the e that it has"),

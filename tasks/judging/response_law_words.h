@@ -59,6 +59,7 @@ struct SizeOfPush {
                                                            const MeasuredPair &right);
 /// That the hit of the own scene is not answered as those of other scenes are.
 /// \param isElseRight  nothing else is wrong
-[[nodiscard]] std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, bool isElseRight);
+[[nodiscard]] std::optional<LawDeviation> ownDeviation(const MeasuredPair &own,
+                                                       const MeasuredPair &right, bool isElseRight);
 
 } // namespace cradle

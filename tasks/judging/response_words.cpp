@@ -50,7 +50,7 @@ public:
         const bool isElseRight = m_found.empty();
         if ((isElseRight || isOnlyMasses(rebound)) && m_equal.isRight
             && (!isElseRight || !wrongUnequal().first))
-            take(ownDeviation(m_own, isElseRight));
+            take(ownDeviation(m_own, m_right, isElseRight));
         if (m_found.empty())
             findUnequal();
         if (m_found.empty() && m_equal.isRight)
