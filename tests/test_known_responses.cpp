@@ -80,6 +80,7 @@ const Answer answers[] = {
     {"The parts across the line of centres turn round, not those along it",
      {1.2, -0.4, -0.3, -0.1}},
     {"The circles exchange their whole velocities", {-0.3, 0.1, 1.2, 0.4}},
+    {"The whole relative velocity is turned round", {-0.1, 0.1, 1.0, 0.4}},
     {"Two equal circles exchange their whole velocities", {-0.3, 0.1, 1.2, 0.4}},
     {"The parts across change hands, and those along the normal stay", {1.2, 0.1, -0.3, 0.4}},
     {"Circle 1 loses its part across the normal", {-0.3, 0, 1.2, 0.1}},
