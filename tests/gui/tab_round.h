@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/focus_order.h"
+#include "tests/patience.h"
 #include "views/code/lua_area.h"
 
 #include <QApplication>
@@ -41,8 +42,15 @@ inline QStringList missedByTab(QWidget &window)
     std::erase_if(stops, [](const QWidget *stop) { return isBesideOne(*stop); });
     if (stops.empty())
         return {QStringLiteral("nothing to reach")};
-    QCoreApplication::processEvents(); // what opens may still give the focus to something
-    stops.front()->setFocus(Qt::TabFocusReason);
+    // What opens may still give the focus to something, and the display take it from the window.
+    const auto begins = [&] {
+        window.activateWindow();
+        stops.front()->setFocus(Qt::TabFocusReason);
+        QCoreApplication::processEvents();
+        return QApplication::focusWidget() == stops.front();
+    };
+    if (!QTest::qWaitFor(begins, patience))
+        return {QStringLiteral("the focus cannot be had")};
     QStringList missed;
     QSet<const QWidget *> met;
     for (std::size_t i = 0; i < 2 * stops.size() + 2; ++i) {
