@@ -53,7 +53,7 @@ void TestResponseLaw::faultIsNamed_data()
     answer("turned whole",
            "local j = (1 + e) / (1 / m1 + 1 / m2) local w = p.velocity - q.velocity "
            "p.velocity = p.velocity - j / m1 * w q.velocity = q.velocity + j / m2 * w",
-           "Two equal circles exchange their whole velocities (with e = 1)");
+           "The whole relative velocity is turned round");
     answer("half of e",
            "local j = (1 + e / 2) * closing / (1 / m1 + 1 / m2) "
            "p.velocity = p.velocity - j / m1 * n q.velocity = q.velocity + j / m2 * n",
