@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/flight_comparison.h"
 #include "tasks/judging/flight_scenes.h"
 #include "tasks/judging/likeness.h"
