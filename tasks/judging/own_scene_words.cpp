@@ -68,7 +68,7 @@ public:
             || length(fallen - right) < blur * (1.0 + length(right))
             || length(m_right.at(right, timestep(), m_i).acceleration - right) > wrong)
             return std::nullopt;
-        if (const auto fault = heavierSaid(*this, right))
+        if (auto fault = heavierSaid(*this, right))
             return fault;
         const Moment moment{{m_ground.own, false}, 1, {m_i}, false};
         if (own.unsteadiness(i) <= steadyFall && isSameElsewhere(own, fallen))

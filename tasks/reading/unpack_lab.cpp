@@ -78,7 +78,7 @@ private:
             path.chop(1);
         if (isHidden(path))
             return std::nullopt;
-        if (const auto error = faultOfEntry(index, path, stat, isFolder))
+        if (auto error = faultOfEntry(index, path, stat, isFolder))
             return error;
         return isFolder ? std::nullopt : read(index, path, stat);
     }
