@@ -256,9 +256,11 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     if (!varied.empty())
         opposite = range.opposite(small);
     areOfParting = answersPartingsAlone();
-    for (auto *hits : {&equals, &radii, &sizes, &densities, &rebounds}) {
-        for (PairHit &hit : *hits)
-            hit = areOfParting ? range.parted(hit.meeting) : hit;
+    if (areOfParting) {
+        for (auto *hits : {&equals, &radii, &sizes, &densities, &rebounds}) {
+            for (PairHit &hit : *hits)
+                hit = range.parted(hit.meeting);
+        }
     }
     // What is said of a program that stopped is its error.
     const auto stopped = [](const PairHit &hit) { return hit.stopped; };
