@@ -3,60 +3,33 @@
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/response_law_words.h"
 
-#include "tests/told_numbers.h"
+#include "tests/told_meeting.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace cradle;
 using namespace cradle::programs;
 using namespace cradle::told;
 
-/// The numbers that findings on meetings tell that are not answered, or otherwise than others.
-class TestToldMeetings : public LabTest
+/// The numbers that findings on meetings tell that are not answered, or in a way of their own.
+class TestToldMeetings : public ToldMeeting
 {
     Q_OBJECT
 private slots:
     void initTestCase() { read(shippedLab); }
-    void slowMeetingIsTold();
-    void slowMeetingThatIsPutApartIsTold();
     void partingIsTold();
     void meetingCentresAreTold();
     void circlesPutTogetherAreTold();
     void reboundByTheOverlapIsTold();
-    void lateByTheNormalIsNoOldRadius();
     void noAnswerAtAllIsTold();
     void answerWithLossesAloneIsOne();
     void answerThatNobodyAskedForIsTold();
     void placeOfALeapIsTold();
     void laterHitIsTold_data();
     void laterHitIsTold();
-    void slowReboundIsTold();
-    void oldMassesOfTheOwnSceneAreTold();
-    void oldRestitutionOfTheOwnSceneIsTold();
-    void oldRadiusOfTheOwnSceneIsTold();
-    void placeIsNoPause();
-    void fastMeetingIsTold();
-    void meetingThatIsNotFastEnoughIsTold();
     void smallPushIsOne();
     void partsOfOtherRadiiAreTold();
-
-private:
-    /// What is said in \p step of a program with that hit, below \p headline.
-    [[nodiscard]] QString body(const char *step, const HitLaw &law, const QString &headline,
-                               const QString &start = {}, std::size_t structure = 0) const
-    {
-        const LawBench bench(task(QLatin1String(step)));
-        const QString program = written({.start = start,
-                                         .walls = wallsOf(wallWays[1], "c.radius", "1"),
-                                         .hit = hitOf(hitWays[0], law)},
-                                        structures[structure]);
-        const MeasuredLaws own(&program, bench.ground);
-        const QString contact =
-            bodyOf(contactDeviations(own.pair(), bench.right.pair(), bench.ground), headline);
-        return contact.isEmpty() ? bodyOf(
-                   responseDeviations(own.pair(), bench.right.pair(), bench.ground), headline)
-                                 : contact;
-    }
 };
 
 namespace {
@@ -66,36 +39,9 @@ QString text(const char *utf8)
     return QString::fromUtf8(utf8);
 }
 
-const QString e = QStringLiteral("restitution");
 const QString equal = QStringLiteral("1"); // masses
 
 } // namespace
-
-/// From a tenth of a metre in a second on they are answered.
-void TestToldMeetings::slowMeetingIsTold()
-{
-    const QString said = body("L42T12", {.approach = text("closing > 0.1"), .mass = equal},
-                              text("Circles that come nearer slowly are not answered"));
-    const auto n = numbersIn(
-        said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
-    QVERIFY2(n.size() == 2, qPrintable(said));
-    QVERIFY(n[0] > 0.0 && n[0] < 0.1);
-    QVERIFY(isNear(n[1], 1.2));
-}
-
-/// Put back, and with the old velocities.
-void TestToldMeetings::slowMeetingThatIsPutApartIsTold()
-{
-    const QString said = body("L42T12",
-                              {.mass = equal,
-                               .answer = text("if closing > 0.3 then p.velocity = p.velocity - "
-                                              "closing * n q.velocity = q.velocity + closing * n "
-                                              "end")},
-                              text("Circles that come nearer slowly are not answered"));
-    const auto n = numbersIn(said, "They came nearer with # m/s, touched and kept their velocities;"
-                                   " with # m/s they are answered.");
-    QVERIFY2(n.size() == 2 && n[0] < 0.3, qPrintable(said));
-}
 
 /// In the step in which the centres pass each other, and never after it.
 void TestToldMeetings::meetingCentresAreTold()
@@ -140,16 +86,6 @@ void TestToldMeetings::reboundByTheOverlapIsTold()
     QVERIFY2(n.size() == 2 && n[0] > 0.5 && n[0] < 0.99 && n[1] == 1.0, qPrintable(said->message));
     QVERIFY(!told(text("d:normalized()")));
     QVERIFY(!told(text("0.9 * d:normalized()"))); // whose length is another
-}
-
-/// A wrong normal asks for approach along another line: the hit of the own scene may be late.
-void TestToldMeetings::lateByTheNormalIsNoOldRadius()
-{
-    const HitLaw law{.normal = text("vec(math.cos(math.deg(math.atan(d.y, d.x))), "
-                                    "math.sin(math.deg(math.atan(d.y, d.x))))"),
-                     .mass = equal};
-    QVERIFY(body("L42T11", law, text("In your own scene the circles answer too late"), {}, 1)
-                .isEmpty());
 }
 
 void TestToldMeetings::partingIsTold()
@@ -251,127 +187,6 @@ void TestToldMeetings::laterHitIsTold()
     QCOMPARE(n[0], 0.5);
     QVERIFY(isNear(n[1], first));
     QVERIFY(isNear(n[2], second));
-}
-
-void TestToldMeetings::slowReboundIsTold()
-{
-    const QString said =
-        body("L42T16", {.e = text("(p.velocity - q.velocity):length() < 0.3 and 1 or restitution")},
-             text("Circles that meet slowly are answered in another way"));
-    const auto n = numbersIn(said, "With e = #: Along");
-    QCOMPARE(n, std::vector<double>{0.5});
-    const auto fast = numbersIn(said, "Where they meet with # m/s, it comes out right.");
-    QVERIFY2(fast.size() == 1 && fast[0] > 1.0, qPrintable(said));
-    const auto parts =
-        numbersIn(said, "circle 1 came with # m/s and circle 2 with # m/s; they left "
-                        "with # and #; # and # are right.");
-    QVERIFY2(parts.size() == 6, qPrintable(said));
-    const double closing = parts[0] - parts[1];
-    QVERIFY(closing > 0.0 && closing < 0.1);
-    QVERIFY(std::abs(parts[3] - parts[2] - closing) < 1e-3);       // e = 1
-    QVERIFY(std::abs(parts[5] - parts[4] - 0.5 * closing) < 1e-3); // e = 0.5
-}
-
-/// Worked out before the radius was set: then both had the same.
-void TestToldMeetings::oldMassesOfTheOwnSceneAreTold()
-{
-    const QString start = QStringLiteral(
-        "gravity = vec(0, 0) circle1.radius, circle2.radius = 0.2, 0.2 "
-        "circle1.density, circle2.density = 4, 4 "
-        "mass = {} for i, c in ipairs(circles) do mass[i] = c.density * c.radius ^ 3 end "
-        "circle2.radius = 0.3 "
-        "circle1.position, circle1.velocity = vec(-1, 0.1), vec(2, 0) "
-        "circle2.position, circle2.velocity = vec(1, 0), vec(0, 0)");
-    const QString said =
-        body("L42T16", {.mass = text("mass[c.index]"), .e = e},
-             text("The masses in your own scene are not those of its circles"), start);
-    const auto n =
-        numbersIn(said, "There circle 2 answers as if it were # times as heavy as circle "
-                        "1; with its radii # and # m and densities # and # it is # "
-                        "times.");
-    QVERIFY2(n.size() == 6, qPrintable(said));
-    QVERIFY(isNear(n[0], 1.0));
-    QCOMPARE(n[1], 0.2);
-    QCOMPARE(n[2], 0.3);
-    QVERIFY(n[3] == 4.0 && n[4] == 4.0);
-    QVERIFY(isNear(n[5], 3.375));
-}
-
-void TestToldMeetings::oldRestitutionOfTheOwnSceneIsTold()
-{
-    const QString start =
-        QStringLiteral("restitution = 1 kept = restitution restitution = 0.5 gravity = vec(0, 0) "
-                       "circle1.position, circle1.velocity = vec(-1, 0.1), vec(2, 0) "
-                       "circle2.position, circle2.velocity = vec(1, 0), vec(0, 0)");
-    const QString headline = text("In your own scene the hit does not use the e that it has");
-    // A normal that is shorter the deeper they overlap is no old copy.
-    QVERIFY(body("L42T16", {.normal = text("d / reach"), .e = e}, headline, start).isEmpty());
-    const QString said = body("L42T16", {.e = text("kept")}, headline, start);
-    const auto n = numbersIn(said, "They met with # m/s and parted with # m/s, which is e = #, and "
-                                   "`restitution` is #.");
-    QVERIFY2(n.size() == 4, qPrintable(said));
-    QVERIFY(n[0] > 1.5 && n[0] < 2.0); // nearly all of 2 m/s
-    QVERIFY(isNear(n[1], n[0]));
-    QVERIFY(isNear(n[2], 1.0));
-    QCOMPARE(n[3], 0.5);
-}
-
-/// Circle 2 has another radius before `on_load` sets it.
-void TestToldMeetings::oldRadiusOfTheOwnSceneIsTold()
-{
-    const QString said = body(
-        "L42T13", {.touch = text("d:length() < p.radius + (kept or q.radius)"), .mass = equal},
-        text("In your own scene the circles answer too late"),
-        text("kept = circle2.radius == 0.2 and 0.2 "
-             "circle1.position, circle1.velocity = vec(-3, 2), vec(2, 0) "
-             "circle2.position, circle2.velocity = vec(0, 2), vec(0, 0) circle2.radius = 0.4"));
-    const auto n =
-        numbersIn(said, "With r₁ = # m and r₂ = # m they answered when their centres were "
-                        "between # and # m apart; rims touch where that is # m.");
-    QVERIFY2(n.size() == 5, qPrintable(said));
-    QVERIFY(isNear(n[4], 0.6));
-    QVERIFY(n[2] <= 0.4 && n[3] < 0.5);
-    // How fast they come has no part in it.
-    QVERIFY2(said.contains(text("m. In scenes that have their radii before your program begins "
-                                "they answer in time. Look at when")),
-             qPrintable(said));
-}
-
-/// Near a wall nothing is answered, the first hit as little as a second one.
-void TestToldMeetings::placeIsNoPause()
-{
-    const QString said =
-        body("L42T12",
-             {.approach = text("closing > 0 and math.max(p.position.x, q.position.x) < 3.3"),
-              .mass = equal},
-             text("Not every meeting is answered"));
-    const auto n = numbersIn(said, "Near (#, #) m circle 1 came with");
-    QVERIFY2(n.size() == 2, qPrintable(said));
-    QVERIFY(n[0] > 3.0);
-}
-
-/// More than two centimetres deep they are not answered.
-void TestToldMeetings::fastMeetingIsTold()
-{
-    const QString said =
-        body("L42T12",
-             {.touch = text("d:length() < reach and reach - d:length() < 0.025"), .mass = equal},
-             text("Circles that come nearer fast are not answered"));
-    const auto n = numbersIn(
-        said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
-    QVERIFY2(n.size() == 2, qPrintable(said));
-    QVERIFY(n[0] > 3.0 && n[1] < 1.5);
-}
-
-/// Only those that are faster than any in the checks are answered.
-void TestToldMeetings::meetingThatIsNotFastEnoughIsTold()
-{
-    const QString said = body("L42T12", {.approach = text("closing > 1.8"), .mass = equal},
-                              text("Circles that come nearer slowly are not answered"));
-    const auto n = numbersIn(
-        said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
-    QVERIFY2(n.size() == 2, qPrintable(said));
-    QVERIFY(n[0] < 1.8 && n[1] > 1.8);
 }
 
 /// Divided by the sum of the masses, in kg, in place of the sum of what they divide.
