@@ -168,6 +168,7 @@ ExitCode check(const QStringList &arguments)
         return complain(fault);
     speak(parser.value(language));
 
+    ServerProcess begun = beginApart(currentLanguage());
     const QString id = parser.positionalArguments().first();
     const auto lab = readLabAtHand(parser.isSet(labDir) ? parser.value(labDir) : shippedLabWith(id),
                                    currentLanguage(), id);
@@ -194,7 +195,7 @@ ExitCode check(const QStringList &arguments)
     }
     const auto judged =
         judgeApart(*lab, {.seed = seedValue, .steps = {task.id}, .files = *files, .moments = false},
-                   parser.isSet(requireIsolation));
+                   parser.isSet(requireIsolation), std::move(begun));
     if (!judged)
         return complainUnwritten(judged.error());
     const CheckReport &report = judged->report;

@@ -23,13 +23,19 @@ constexpr int mostKills = 3;
 
 } // namespace
 
+ServerProcess beginApart(const QString &language)
+{
+    return ServerProcess::bubblewrapped(QCoreApplication::applicationFilePath(), language);
+}
+
 Result<JudgedApart> judgeApart(const LabAtHand &lab, const JudgingRequest &request,
-                               bool requireIsolation)
+                               bool requireIsolation, ServerProcess begun)
 {
     QString fault;
     for (int kills = 0; kills < mostKills; ++kills) {
-        const auto workers = Workers::start(lab.lab, lab.files, lab.folder, lab.language,
-                                            QCoreApplication::applicationFilePath());
+        const auto workers =
+            Workers::start(lab.lab, lab.files, lab.folder, lab.language,
+                           QCoreApplication::applicationFilePath(), std::exchange(begun, {}));
         if (!workers)
             return workers.error();
         JudgedApart judged{.isolation = (*workers)->isolation()};

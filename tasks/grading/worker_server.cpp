@@ -63,14 +63,36 @@ QByteArray frameOf(StepResult step, const Lab &lab, qint64 seed)
     return frame + content;
 }
 
+int flagsOf(const Isolation &isolation)
+{
+    return (isolation.limits ? 1 : 0) | (isolation.seccomp ? 2 : 0)
+           | (isolation.namespaces ? 4 : 0);
+}
+
+/// What isolation a worker really gets, as flags, by one that does nothing else.
+int probedIsolation(const Lockdown &lockdown, bool inNamespaces)
+{
+    const int here = flagsOf({.namespaces = inNamespaces});
+    int status = 0;
+    do { // somebody may kill that one, too
+        const pid_t child = fork();
+        if (child == 0)
+            _exit(flagsOf(lockdown.enter(secondsPerStep)));
+        if (child < 0 || waitpid(child, &status, 0) != child)
+            return here;
+    } while (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+    return WIFEXITED(status) ? WEXITSTATUS(status) | here : here;
+}
+
 class Server
 {
 public:
-    Server(int control, const Lab &lab, bool inNamespaces)
+    /// \param isolation  that workers get by \p lockdown, see probedIsolation()
+    Server(int control, const Lab &lab, const Lockdown &lockdown, int isolation)
         : m_control(control)
         , m_lab(lab)
-        , m_lockdown(mostWorkerMemory)
-        , m_inNamespaces(inNamespaces)
+        , m_lockdown(lockdown)
+        , m_isolation(isolation)
     {
         // Who unpacks an archive asks for the time zone: without a file, and everywhere the same.
         setenv("TZ", "UTC0", 1);
@@ -84,7 +106,7 @@ public:
 
     void serve()
     {
-        if (!sendMessage(m_control, {.kind = ServerMessage::Kind::Hello, .value = probe()}))
+        if (!sendMessage(m_control, {.kind = ServerMessage::Kind::Hello, .value = m_isolation}))
             return;
         for (;;) {
             std::array<pollfd, 2> watched{pollfd{m_control, POLLIN, 0},
@@ -99,27 +121,6 @@ public:
     }
 
 private:
-    /// What isolation a worker really gets, by one that does nothing else.
-    int probe()
-    {
-        const int here = flagsOf({.namespaces = m_inNamespaces});
-        int status = 0;
-        do { // somebody may kill that one, too
-            const pid_t child = fork();
-            if (child == 0)
-                _exit(flagsOf(m_lockdown.enter(secondsPerStep)));
-            if (child < 0 || waitpid(child, &status, 0) != child)
-                return here;
-        } while (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
-        return WIFEXITED(status) ? WEXITSTATUS(status) | here : here;
-    }
-
-    static int flagsOf(const Isolation &isolation)
-    {
-        return (isolation.limits ? 1 : 0) | (isolation.seccomp ? 2 : 0)
-               | (isolation.namespaces ? 4 : 0);
-    }
-
     bool takeMessage()
     {
         auto received = receiveMessage(m_control);
@@ -213,8 +214,8 @@ private:
 
     int m_control;
     const Lab &m_lab;
-    Lockdown m_lockdown;
-    bool m_inNamespaces;
+    const Lockdown &m_lockdown;
+    int m_isolation;
     Descriptor m_signals{};
     std::map<pid_t, int> m_workers{};
     int m_judged = 0;           ///< students whose judging has begun
@@ -223,9 +224,10 @@ private:
 
 } // namespace
 
-void serveJudging(int control, const Lab &lab, bool inNamespaces)
+void serveJudging(int control, const Lab &lab)
 {
-    Server(control, lab, inNamespaces).serve();
+    const Lockdown lockdown(mostWorkerMemory);
+    Server(control, lab, lockdown, probedIsolation(lockdown, false)).serve();
 }
 
 QByteArray bytesOf(const LabFiles &files, const QString &folder)
@@ -239,6 +241,9 @@ QByteArray bytesOf(const LabFiles &files, const QString &folder)
 
 int runJudgingServer(const QString &language)
 {
+    // Before the lab, which who asks for this process may still be reading.
+    const Lockdown lockdown(mostWorkerMemory);
+    const int isolation = probedIsolation(lockdown, true);
     const auto bytes = readAll(serverLab, 2 * limits::labBytes);
     if (!bytes)
         return 2;
@@ -253,7 +258,7 @@ int runJudgingServer(const QString &language)
     const auto lab = readLab(files, folder, language);
     if (!lab)
         return 2;
-    serveJudging(serverControl, *lab, true);
+    Server(serverControl, *lab, lockdown, isolation).serve();
     return 0;
 }
 

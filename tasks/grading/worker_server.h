@@ -16,16 +16,14 @@ inline constexpr qint64 mostWorkerMemory = 256 * 1024 * 1024;
 /// Forks a worker for every student who is to be judged, until the other end of \p control is gone;
 /// then the workers are gone, too. The lab is there already, so that a worker costs a millisecond.
 /// No other threads may run.
-/// \param inNamespaces  whether this process was started in namespaces of its own
-void serveJudging(int control, const Lab &lab, bool inNamespaces);
+void serveJudging(int control, const Lab &lab);
 
 /// The numbers of the descriptors with which runJudgingServer() is started.
 inline constexpr int serverControl = 3;
 inline constexpr int serverLab = 4;
 
-/// The same as a program of its own, that bubblewrap starts: the lab comes through serverLab.
-/// \param language  of the lab's texts
-/// \return what to exit with
+/// The same as a program of its own, that bubblewrap starts in namespaces: the lab comes through
+/// serverLab. \param language  of the lab's texts \return what to exit with
 int runJudgingServer(const QString &language);
 
 /// The lab's files for the way there.

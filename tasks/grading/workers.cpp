@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/grading/workers.h"
 
-#include "tasks/grading/server_start.h"
 #include "tasks/grading/student_result_json.h"
 #include "tasks/grading/worker_server.h"
 
@@ -41,18 +40,15 @@ double now()
 
 Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &files,
                                                 const QString &folder, const QString &language,
-                                                const QString &program)
+                                                const QString &program, ServerProcess begun)
 {
     std::unique_ptr<Workers> workers(new Workers);
-    if (!program.isEmpty() && workers->startInNamespaces(files, folder, language, program))
+    if (!program.isEmpty()
+        && workers->startInNamespaces(cradle::bytesOf(files, folder), language, program,
+                                      std::move(begun)))
         return workers;
     for (int attempt = 0; attempt < mostStarts; ++attempt) {
-        auto pair = connectedPair();
-        if (!pair)
-            break;
-        const pid_t server = startForked(lab, pair->second.number());
-        pair->second.close();
-        if (workers->connect(server, std::move(pair->first)))
+        if (workers->connect(ServerProcess::forked(lab)))
             return workers;
     }
     return Error{.message = WorkersText::tr("no process to judge in can be started: %1")
@@ -60,23 +56,17 @@ Result<std::unique_ptr<Workers>> Workers::start(const Lab &lab, const LabFiles &
 }
 
 /// \return false where that is not to be had; a server that somebody killed is started anew
-bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
-                                const QString &language, const QString &program)
+bool Workers::startInNamespaces(const QByteArray &lab, const QString &language,
+                                const QString &program, ServerProcess begun)
 {
     for (int attempt = 0; attempt < mostStarts; ++attempt) {
-        auto pair = connectedPair();
-        auto stream = openStream();
-        if (!pair || !stream)
+        ServerProcess server = std::exchange(begun, {});
+        if (!server)
+            server = ServerProcess::bubblewrapped(program, language);
+        if (!server)
             return false;
-        const pid_t server =
-            startBubblewrapped(program, language, pair->second.number(), stream->first.number());
-        if (server < 0)
-            return false;
-        pair->second.close();
-        stream->first.close();
-        sendToServer(server, stream->second.number(), cradle::bytesOf(files, folder));
-        stream->second.close();
-        if (connect(server, std::move(pair->first)))
+        server.sendLab(lab);
+        if (connect(std::move(server)))
             return true;
         // What is not allowed says so by itself.
         const int status = m_endOfServer;
@@ -89,23 +79,17 @@ bool Workers::startInNamespaces(const LabFiles &files, const QString &folder,
 }
 
 /// \return whether the server says that it is there
-bool Workers::connect(pid_t server, Descriptor control)
+bool Workers::connect(ServerProcess server)
 {
-    if (server < 0)
+    if (!server)
         return false;
-    m_server = server;
-    m_control = std::move(control);
-    const auto hello = isReady(m_server, m_control.number(), POLLIN)
-                           ? receiveMessage(m_control.number())
-                           : std::nullopt;
+    const auto hello = server.hasSpoken() ? receiveMessage(server.control()) : std::nullopt;
     m_alive = hello && hello->message.kind == ServerMessage::Kind::Hello;
     if (!m_alive) {
-        // It has closed its end, so it ends.
-        m_endOfServer = collectServer(m_server);
-        m_server = -1;
-        m_control.close();
+        m_endOfServer = server.end();
         return false;
     }
+    m_server = std::move(server);
     const int flags = hello->message.value;
     m_isolation = {
         .limits = (flags & 1) != 0, .seccomp = (flags & 2) != 0, .namespaces = (flags & 4) != 0};
@@ -115,20 +99,7 @@ bool Workers::connect(pid_t server, Descriptor control)
 void Workers::stop()
 {
     m_alive = false;
-    m_control.close();
-    if (m_server > 0) {
-        // With all that it has forked. Who watches bubblewrap ends and collects that, then itself,
-        // as the line is closed.
-        if (!m_isolation.namespaces)
-            kill(m_server, SIGKILL);
-        collectServer(m_server);
-    }
-    m_server = -1;
-}
-
-Workers::~Workers()
-{
-    stop();
+    m_server.end();
 }
 
 void Workers::judge(int worker, const JudgingRequest &request)
@@ -141,7 +112,7 @@ void Workers::judge(int worker, const JudgingRequest &request)
     auto stream = openStream();
     const bool sent =
         pipe && stream && m_alive
-        && sendMessage(m_control.number(), {.kind = ServerMessage::Kind::Judge, .worker = worker},
+        && sendMessage(m_server.control(), {.kind = ServerMessage::Kind::Judge, .worker = worker},
                        {stream->first.number(), pipe->second.number()});
     if (sent) {
         stream->first.close();
@@ -159,7 +130,7 @@ void Workers::judge(int worker, const JudgingRequest &request)
 std::vector<WorkerEvent> Workers::wait(int milliseconds)
 {
     std::vector<WorkerEvent> events;
-    std::vector<pollfd> watched{pollfd{m_alive ? m_control.number() : -1, POLLIN, 0}};
+    std::vector<pollfd> watched{pollfd{m_alive ? m_server.control() : -1, POLLIN, 0}};
     std::vector<int> numbers;
     for (auto &[worker, running] : m_running) {
         watched.push_back({running.results.number(), POLLIN, 0});
@@ -174,7 +145,7 @@ std::vector<WorkerEvent> Workers::wait(int milliseconds)
         if (watched[i + 1].revents)
             readResults(numbers[i], running, events);
         else if (m_alive && now() - running.since > patience)
-            sendMessage(m_control.number(),
+            sendMessage(m_server.control(),
                         {.kind = ServerMessage::Kind::Kill, .worker = numbers[i]});
     }
     if (watched.front().revents)
@@ -191,7 +162,7 @@ std::vector<WorkerEvent> Workers::wait(int milliseconds)
 
 void Workers::readControl(std::vector<WorkerEvent> &events)
 {
-    const auto received = receiveMessage(m_control.number());
+    const auto received = receiveMessage(m_server.control());
     if (!received) {
         stop();
         for (auto &[worker, running] : m_running) {
@@ -226,7 +197,7 @@ void Workers::readResults(int worker, Running &running, std::vector<WorkerEvent>
         takeFrames(worker, running, events);
     if (!running.fault.isEmpty()) {
         running.results.close();
-        sendMessage(m_control.number(), {.kind = ServerMessage::Kind::Kill, .worker = worker});
+        sendMessage(m_server.control(), {.kind = ServerMessage::Kind::Kill, .worker = worker});
     }
 }
 

@@ -5,6 +5,7 @@
 #include "tasks/grading/descriptors.h"
 #include "tasks/grading/judging_request.h"
 #include "tasks/grading/lockdown.h"
+#include "tasks/grading/server_process.h"
 #include "tasks/lab_files/lab_files.h"
 
 #include <map>
@@ -32,10 +33,10 @@ public:
     /// \param language  in which the students are told, see readLab()
     /// \param program  this program, which bubblewrap is to start with the argument judge-server;
     ///     empty to do without namespaces
+    /// \param begun  one that was started by \p program in \p language while the lab was read
     static Result<std::unique_ptr<Workers>> start(const Lab &lab, const LabFiles &files,
                                                   const QString &folder, const QString &language,
-                                                  const QString &program);
-    ~Workers();
+                                                  const QString &program, ServerProcess begun = {});
     Workers(const Workers &) = delete;
     Workers &operator=(const Workers &) = delete;
 
@@ -65,19 +66,18 @@ private:
     };
 
     Workers() = default;
-    bool startInNamespaces(const LabFiles &files, const QString &folder, const QString &language,
-                           const QString &program);
-    bool connect(pid_t server, Descriptor control);
+    bool startInNamespaces(const QByteArray &lab, const QString &language, const QString &program,
+                           ServerProcess begun);
+    bool connect(ServerProcess server);
     void stop();
     void readControl(std::vector<WorkerEvent> &events);
     void readResults(int worker, Running &running, std::vector<WorkerEvent> &events);
     void takeFrames(int worker, Running &running, std::vector<WorkerEvent> &events);
     void end(int worker, Running &running, std::vector<WorkerEvent> &events);
 
-    pid_t m_server = -1;
+    ServerProcess m_server{};
     int m_endOfServer = 0; ///< as wait() tells it, of one that never said anything
     bool m_alive = false;
-    Descriptor m_control{};
     Isolation m_isolation{};
     std::map<int, Running> m_running{};
 };

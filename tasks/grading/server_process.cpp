@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/grading/server_start.h"
+#include "tasks/grading/server_process.h"
 
 #include "tasks/grading/worker_server.h"
 
@@ -43,8 +43,8 @@ void keepOnly(int control, int lab)
 
 /// How bubblewrap starts the server: of the disk it sees the system's libraries, this program and
 /// the Qt that it runs with, which an archive brings along.
-std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteArray &program,
-                                      const QByteArray &language)
+std::vector<QByteArray> commandLine(const QByteArray &bubblewrap, const QByteArray &program,
+                                    const QByteArray &language)
 {
     const QByteArray libraries = QFile::encodeName(QLibraryInfo::path(QLibraryInfo::LibrariesPath));
     std::vector<QByteArray> line{bubblewrap,
@@ -84,7 +84,7 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
 /// Runs bubblewrap until it ends or the other end of \p serverControl is closed, and ends with it.
 /// The process that bubblewrap starts waits for it for ever where bubblewrap is killed early. Until
 /// it has said that it wants to die with bubblewrap, it is of this process's group, which is killed
-/// whole: here, or by collectServer() where this process was killed.
+/// whole: here, or by ServerProcess::end() where this process was killed.
 [[noreturn]] void guard(const std::vector<char *> &arguments)
 {
     sigset_t children;
@@ -127,42 +127,8 @@ std::vector<QByteArray> bubblewrapped(const QByteArray &bubblewrap, const QByteA
     _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
 }
 
-} // namespace
-
-pid_t startBubblewrapped(const QString &program, const QString &language, int control, int lab)
-{
-    const QString found = QStandardPaths::findExecutable(QStringLiteral("bwrap"));
-    if (found.isEmpty())
-        return -1;
-    std::vector<QByteArray> line =
-        bubblewrapped(QFile::encodeName(found), QFile::encodeName(program), language.toUtf8());
-    std::vector<char *> arguments;
-    for (QByteArray &part : line)
-        arguments.push_back(part.data());
-    arguments.push_back(nullptr);
-    const pid_t child = fork();
-    if (child != 0)
-        return child;
-    setsid(); // what is typed at a terminal is for the parent
-    keepOnly(control, lab);
-    guard(arguments);
-}
-
-pid_t startForked(const Lab &lab, int control)
-{
-    const pid_t child = fork();
-    if (child != 0)
-        return child;
-    // Where the parent has ended before this, the other end of control is closed, and serving ends.
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    setsid(); // what is typed at a terminal is for the parent
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-    keepOnly(control, -1);
-    serveJudging(serverControl, lab, false);
-    _exit(0);
-}
-
+/// Waits until \p line is ready for \p what. \return false if the process \p server has ended
+/// instead: what it left behind may hold the other end, and never read or write.
 bool isReady(pid_t server, int line, short what)
 {
     for (;;) {
@@ -176,25 +142,105 @@ bool isReady(pid_t server, int line, short what)
     }
 }
 
-void sendToServer(pid_t server, int stream, const QByteArray &bytes)
+} // namespace
+
+ServerProcess ServerProcess::bubblewrapped(const QString &program, const QString &language)
 {
-    for (qsizetype at = 0; at < bytes.size() && isReady(server, stream, POLLOUT);) {
-        const ssize_t size =
-            ::send(stream, bytes.constData() + at, static_cast<std::size_t>(bytes.size() - at),
-                   MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (size < 0 && errno != EINTR && errno != EAGAIN)
-            return; // its end says the rest
-        at += std::max<ssize_t>(size, 0);
+    ServerProcess server;
+    const QString found = QStandardPaths::findExecutable(QStringLiteral("bwrap"));
+    auto control = connectedPair();
+    auto lab = openStream();
+    if (found.isEmpty() || !control || !lab)
+        return server;
+    std::vector<QByteArray> line =
+        commandLine(QFile::encodeName(found), QFile::encodeName(program), language.toUtf8());
+    std::vector<char *> arguments;
+    for (QByteArray &part : line)
+        arguments.push_back(part.data());
+    arguments.push_back(nullptr);
+    server.m_id = fork();
+    if (server.m_id == 0) {
+        setsid(); // what is typed at a terminal is for the parent
+        keepOnly(control->second.number(), lab->first.number());
+        guard(arguments);
     }
+    server.m_endsByItself = true;
+    server.m_control = std::move(control->first);
+    server.m_lab = std::move(lab->second);
+    return server;
 }
 
-int collectServer(pid_t server)
+ServerProcess ServerProcess::forked(const Lab &lab)
 {
-    siginfo_t ended{};
-    TEMP_FAILURE_RETRY(waitid(P_PID, static_cast<id_t>(server), &ended, WEXITED | WNOWAIT));
-    kill(-server, SIGKILL); // until it is collected no other group has its number
+    ServerProcess server;
+    auto control = connectedPair();
+    if (!control)
+        return server;
+    server.m_id = fork();
+    if (server.m_id == 0) {
+        // Where the parent has ended before this, the other end of control is closed, and serving
+        // ends.
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        setsid(); // what is typed at a terminal is for the parent
+        std::signal(SIGINT, SIG_DFL);
+        std::signal(SIGTERM, SIG_DFL);
+        keepOnly(control->second.number(), -1);
+        serveJudging(serverControl, lab);
+        _exit(0);
+    }
+    server.m_control = std::move(control->first);
+    return server;
+}
+
+ServerProcess::ServerProcess(ServerProcess &&other) noexcept
+    : m_id(std::exchange(other.m_id, -1))
+    , m_endsByItself(other.m_endsByItself)
+    , m_control(std::move(other.m_control))
+    , m_lab(std::move(other.m_lab))
+{
+}
+
+ServerProcess &ServerProcess::operator=(ServerProcess &&other) noexcept
+{
+    std::swap(m_id, other.m_id);
+    std::swap(m_endsByItself, other.m_endsByItself);
+    std::swap(m_control, other.m_control);
+    std::swap(m_lab, other.m_lab);
+    return *this;
+}
+
+void ServerProcess::sendLab(const QByteArray &bytes)
+{
+    for (qsizetype at = 0; at < bytes.size() && isReady(m_id, m_lab.number(), POLLOUT);) {
+        const ssize_t size =
+            ::send(m_lab.number(), bytes.constData() + at,
+                   static_cast<std::size_t>(bytes.size() - at), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (size < 0 && errno != EINTR && errno != EAGAIN)
+            break; // its end says the rest
+        at += std::max<ssize_t>(size, 0);
+    }
+    m_lab.close();
+}
+
+bool ServerProcess::hasSpoken() const
+{
+    return isReady(m_id, m_control.number(), POLLIN);
+}
+
+int ServerProcess::end()
+{
+    m_control.close();
+    m_lab.close();
     int status = 0;
-    waitpid(server, &status, 0);
+    if (m_id > 0) {
+        if (!m_endsByItself)
+            kill(m_id, SIGKILL);
+        siginfo_t ended{};
+        TEMP_FAILURE_RETRY(waitid(P_PID, static_cast<id_t>(m_id), &ended, WEXITED | WNOWAIT));
+        kill(-m_id, SIGKILL); // until it is collected no other group has its number
+        waitpid(m_id, &status, 0);
+    }
+    m_id = -1;
     return status;
 }
 
