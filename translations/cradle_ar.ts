@@ -4825,8 +4825,80 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>يتوقف الارتداد على مقدار تداخل الدائرتين</translation>
     </message>
     <message>
-        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right. In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
-        <translation>بخطوة زمنية ⁦%1 s⁩ افترقت الدائرتان بسرعة على اتجاه الدفع تساوي ⁨%2⁩ مرة السرعة التي التقتا بها؛ الصواب ⁨%3⁩. وفي خطوات قصيرة جدًّا يصح ذلك: انظر هل طول الناظم 1 حيث تتداخلان.</translation>
+        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right.</source>
+        <translation>بخطوة زمنية ⁦%1 s⁩ افترقت الدائرتان بسرعة على اتجاه الدفع تساوي ⁨%2⁩ مرة السرعة التي التقتا بها؛ الصواب ⁨%3⁩.</translation>
+    </message>
+    <message>
+        <source>In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
+        <translation>وفي خطوات قصيرة جدًّا يصح ذلك: انظر هل طول الناظم 1 حيث تتداخلان.</translation>
+    </message>
+    <message>
+        <source>With e = %1 and a timestep of %2 s the circles parted with %3 times the speed along the push that they met with; %4 is right.</source>
+        <translation>مع ⁦e = %1⁩ وبخطوة زمنية ⁦%2 s⁩ افترقت الدائرتان بسرعة على اتجاه الدفع تساوي ⁨%3⁩ مرة السرعة التي التقتا بها؛ الصواب ⁨%4⁩.</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole new part of circle %1</source>
+        <translation>تُضرب مركّبة الدائرة ⁨%1⁩ الجديدة كاملةً في e</translation>
+    </message>
+    <message>
+        <source>e multiplies both whole new parts</source>
+        <translation>تُضرب المركّبتان الجديدتان كاملتين في e</translation>
+    </message>
+    <message>
+        <source>The push is divided by the distance of the centres</source>
+        <translation>يُقسم الدفع على المسافة بين المركزين</translation>
+    </message>
+    <message>
+        <source>The push is divided by the square of the distance of the centres, in m. A direction has length 1: look at how often the way from one to the other is divided by its length.</source>
+        <translation>يُقسم الدفع على مربع المسافة بين المركزين بوحدة ⁦m⁩. الاتجاه طوله 1: انظر كم مرة يُقسم الطريق من إحداهما إلى الأخرى على طوله.</translation>
+    </message>
+    <message>
+        <source>The distance, in m, must not change the size of the push. Look at how often the way from one to the other is divided by its length.</source>
+        <translation>لا يجوز أن تغيّر المسافة، بوحدة ⁦m⁩، مقدار الدفع. انظر كم مرة يُقسم الطريق من إحداهما إلى الأخرى على طوله.</translation>
+    </message>
+    <message>
+        <source>The push acts along the velocity of circle 2</source>
+        <translation>يؤثر الدفع على امتداد سرعة الدائرة 2</translation>
+    </message>
+    <message>
+        <source>Each circle gets the new part of the other</source>
+        <translation>تحصل كل دائرة على المركّبة الجديدة للأخرى</translation>
+    </message>
+    <message>
+        <source>In all hits tried both new parts along the line of centres are as they should be, but circle 1 has that of circle 2, and circle 2 that of circle 1. Look at which result goes to which circle.</source>
+        <translation>في كل التصادمات التي جُرّبت تكون المركّبتان الجديدتان على خط المركزين كما ينبغي، لكن للدائرة 1 مركّبة الدائرة 2 وللدائرة 2 مركّبة الدائرة 1. انظر أي نتيجة تذهب إلى أي دائرة.</translation>
+    </message>
+    <message>
+        <source>The momenta along the line of centres change hands</source>
+        <translation>تتبادل الدائرتان كميتَي الحركة على خط المركزين</translation>
+    </message>
+    <message>
+        <source>In all hits tried each circle has after the hit the momentum along that line that the other came with. That keeps the total momentum, but where the masses differ they do not part as fast as they met.</source>
+        <translation>في كل التصادمات التي جُرّبت يكون لكل دائرة بعد التصادم كمية الحركة على ذلك الخط التي جاءت بها الأخرى. هذا يحفظ كمية الحركة الكلية، لكن حيث تختلف الكتلتان لا تفترقان بالسرعة التي التقتا بها.</translation>
+    </message>
+    <message>
+        <source>The new parts along the line of centres have a wrong size</source>
+        <translation>مقدار المركّبتين الجديدتين على خط المركزين خاطئ</translation>
+    </message>
+    <message>
+        <source>Both pushes have a wrong size</source>
+        <translation>مقدار الدفعين خاطئ</translation>
+    </message>
+    <message>
+        <source>Look at where the two masses are subtracted, and where they are added.</source>
+        <translation>انظر أين تُطرح الكتلتان وأين تُجمعان.</translation>
+    </message>
+    <message>
+        <source>In all hits tried of two masses both new parts are (m₁ + m₂) / (m₁ − m₂) times what is right.</source>
+        <translation>في كل التصادمات التي جُرّبت لكتلتين مختلفتين يساوي كلٌّ من المركّبتين الجديدتين الصواب مضروبًا في ⁦(m₁ + m₂) / (m₁ − m₂)⁩.</translation>
+    </message>
+    <message>
+        <source>In all hits tried of two masses both pushes are (m₁ + m₂) / (m₁ − m₂) times what is right.</source>
+        <translation>في كل التصادمات التي جُرّبت لكتلتين مختلفتين يساوي كلٌّ من الدفعين الصواب مضروبًا في ⁦(m₁ + m₂) / (m₁ − m₂)⁩.</translation>
+    </message>
+    <message>
+        <source>In all %1 meetings tried circle 2 was at rest; in your own scene it came with %2 m/s, and there they were answered in time. Look at whose velocities the answer is made of, and at what is asked before it.</source>
+        <translation>في اللقاءات التي جُرّبت كلها، وعددها ⁨%1⁩، كانت الدائرة 2 ساكنة؛ أما في مشهدك فجاءت بسرعة ⁦%2 m/s⁩، وهناك استجابتا في الوقت المناسب. انظر من سرعات أيّ دائرة تتكوّن الاستجابة، وعمّ يُسأل قبلها.</translation>
     </message>
     <message>
         <source>They came nearer with %1 m/s, touched and kept their velocities; with %2 m/s they are answered.</source>

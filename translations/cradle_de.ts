@@ -4765,8 +4765,80 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Der Rückprall hängt davon ab, wie tief die Kreise überlappen</translation>
     </message>
     <message>
-        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right. In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
-        <translation>Mit einem Zeitschritt von %1 s trennten sich die Kreise mit dem %2-fachen der Geschwindigkeit längs des Kraftstoßes, mit der sie sich trafen; richtig ist %3. In sehr kurzen Schritten stimmt es: Sieh nach, ob die Normale die Länge 1 hat, wo sie überlappen.</translation>
+        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right.</source>
+        <translation>Mit einem Zeitschritt von %1 s trennten sich die Kreise mit dem %2-fachen der Geschwindigkeit längs des Kraftstoßes, mit der sie sich trafen; richtig ist %3.</translation>
+    </message>
+    <message>
+        <source>In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
+        <translation>In sehr kurzen Schritten stimmt es: Sieh nach, ob die Normale die Länge 1 hat, wo sie überlappen.</translation>
+    </message>
+    <message>
+        <source>With e = %1 and a timestep of %2 s the circles parted with %3 times the speed along the push that they met with; %4 is right.</source>
+        <translation>Mit e = %1 und einem Zeitschritt von %2 s trennten sich die Kreise mit dem %3-fachen der Geschwindigkeit längs des Kraftstoßes, mit der sie sich trafen; richtig ist %4.</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole new part of circle %1</source>
+        <translation>e multipliziert den ganzen neuen Anteil von Kreis %1</translation>
+    </message>
+    <message>
+        <source>e multiplies both whole new parts</source>
+        <translation>e multipliziert beide neuen Anteile ganz</translation>
+    </message>
+    <message>
+        <source>The push is divided by the distance of the centres</source>
+        <translation>Der Kraftstoß wird durch den Abstand der Mittelpunkte geteilt</translation>
+    </message>
+    <message>
+        <source>The push is divided by the square of the distance of the centres, in m. A direction has length 1: look at how often the way from one to the other is divided by its length.</source>
+        <translation>Der Kraftstoß wird durch das Quadrat des Abstands der Mittelpunkte in m geteilt. Eine Richtung hat die Länge 1: Sieh nach, wie oft der Weg vom einen zum anderen durch seine Länge geteilt wird.</translation>
+    </message>
+    <message>
+        <source>The distance, in m, must not change the size of the push. Look at how often the way from one to the other is divided by its length.</source>
+        <translation>Der Abstand in m darf die Größe des Kraftstoßes nicht ändern. Sieh nach, wie oft der Weg vom einen zum anderen durch seine Länge geteilt wird.</translation>
+    </message>
+    <message>
+        <source>The push acts along the velocity of circle 2</source>
+        <translation>Der Kraftstoß wirkt längs der Geschwindigkeit von Kreis 2</translation>
+    </message>
+    <message>
+        <source>Each circle gets the new part of the other</source>
+        <translation>Jeder Kreis bekommt den neuen Anteil des anderen</translation>
+    </message>
+    <message>
+        <source>In all hits tried both new parts along the line of centres are as they should be, but circle 1 has that of circle 2, and circle 2 that of circle 1. Look at which result goes to which circle.</source>
+        <translation>In allen versuchten Stößen sind beide neuen Anteile längs der Verbindungslinie der Mittelpunkte, wie sie sein sollen, aber Kreis 1 hat den von Kreis 2 und Kreis 2 den von Kreis 1. Sieh nach, welches Ergebnis welcher Kreis bekommt.</translation>
+    </message>
+    <message>
+        <source>The momenta along the line of centres change hands</source>
+        <translation>Die Impulse längs der Verbindungslinie der Mittelpunkte werden getauscht</translation>
+    </message>
+    <message>
+        <source>In all hits tried each circle has after the hit the momentum along that line that the other came with. That keeps the total momentum, but where the masses differ they do not part as fast as they met.</source>
+        <translation>In allen versuchten Stößen hat jeder Kreis nach dem Stoß den Impuls längs dieser Linie, mit dem der andere kam. Das erhält den Gesamtimpuls, aber wo die Massen verschieden sind, trennen sie sich nicht so schnell, wie sie sich trafen.</translation>
+    </message>
+    <message>
+        <source>The new parts along the line of centres have a wrong size</source>
+        <translation>Die neuen Anteile längs der Verbindungslinie der Mittelpunkte haben eine falsche Größe</translation>
+    </message>
+    <message>
+        <source>Both pushes have a wrong size</source>
+        <translation>Beide Kraftstöße haben eine falsche Größe</translation>
+    </message>
+    <message>
+        <source>Look at where the two masses are subtracted, and where they are added.</source>
+        <translation>Sieh nach, wo die beiden Massen voneinander abgezogen und wo sie addiert werden.</translation>
+    </message>
+    <message>
+        <source>In all hits tried of two masses both new parts are (m₁ + m₂) / (m₁ − m₂) times what is right.</source>
+        <translation>In allen versuchten Stößen verschiedener Massen sind beide neuen Anteile das (m₁ + m₂) / (m₁ − m₂)-Fache des Richtigen.</translation>
+    </message>
+    <message>
+        <source>In all hits tried of two masses both pushes are (m₁ + m₂) / (m₁ − m₂) times what is right.</source>
+        <translation>In allen versuchten Stößen verschiedener Massen sind beide Kraftstöße das (m₁ + m₂) / (m₁ − m₂)-Fache des Richtigen.</translation>
+    </message>
+    <message>
+        <source>In all %1 meetings tried circle 2 was at rest; in your own scene it came with %2 m/s, and there they were answered in time. Look at whose velocities the answer is made of, and at what is asked before it.</source>
+        <translation>In allen %1 versuchten Begegnungen ruhte Kreis 2; in deiner eigenen Szene kam er mit %2 m/s, und dort antworteten sie rechtzeitig. Sieh nach, aus wessen Geschwindigkeiten die Antwort gemacht ist und was vor ihr gefragt wird.</translation>
     </message>
     <message>
         <source>They came nearer with %1 m/s, touched and kept their velocities; with %2 m/s they are answered.</source>

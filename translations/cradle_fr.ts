@@ -4765,8 +4765,80 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Le rebond dépend du chevauchement des cercles</translation>
     </message>
     <message>
-        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right. In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
-        <translation>Avec un pas de temps de %1 s, les cercles se sont séparés avec %2 fois la vitesse suivant la poussée avec laquelle ils se sont rencontrés&#xa0;; %3 est juste. Dans des pas très courts, c&apos;est juste&#xa0;: regardez si la normale a la longueur 1 là où ils se chevauchent.</translation>
+        <source>With a timestep of %1 s the circles parted with %2 times the speed along the push that they met with; %3 is right.</source>
+        <translation>Avec un pas de temps de %1 s, les cercles se sont séparés avec %2 fois la vitesse suivant la poussée avec laquelle ils se sont rencontrés&#xa0;; %3 est juste.</translation>
+    </message>
+    <message>
+        <source>In very short steps it comes out right: look at whether the normal has length 1 where they overlap.</source>
+        <translation>Dans des pas très courts, c&apos;est juste&#xa0;: regardez si la normale a la longueur 1 là où ils se chevauchent.</translation>
+    </message>
+    <message>
+        <source>With e = %1 and a timestep of %2 s the circles parted with %3 times the speed along the push that they met with; %4 is right.</source>
+        <translation>Avec e = %1 et un pas de temps de %2 s, les cercles se sont séparés avec %3 fois la vitesse suivant la poussée avec laquelle ils se sont rencontrés&#xa0;; %4 est juste.</translation>
+    </message>
+    <message>
+        <source>e multiplies the whole new part of circle %1</source>
+        <translation>e multiplie toute la nouvelle composante du cercle %1</translation>
+    </message>
+    <message>
+        <source>e multiplies both whole new parts</source>
+        <translation>e multiplie entièrement les deux nouvelles composantes</translation>
+    </message>
+    <message>
+        <source>The push is divided by the distance of the centres</source>
+        <translation>La poussée est divisée par la distance des centres</translation>
+    </message>
+    <message>
+        <source>The push is divided by the square of the distance of the centres, in m. A direction has length 1: look at how often the way from one to the other is divided by its length.</source>
+        <translation>La poussée est divisée par le carré de la distance des centres, en m. Une direction a la longueur 1&#xa0;: regardez combien de fois le chemin de l&apos;un à l&apos;autre est divisé par sa longueur.</translation>
+    </message>
+    <message>
+        <source>The distance, in m, must not change the size of the push. Look at how often the way from one to the other is divided by its length.</source>
+        <translation>La distance, en m, ne doit pas changer la grandeur de la poussée. Regardez combien de fois le chemin de l&apos;un à l&apos;autre est divisé par sa longueur.</translation>
+    </message>
+    <message>
+        <source>The push acts along the velocity of circle 2</source>
+        <translation>La poussée agit suivant la vitesse du cercle 2</translation>
+    </message>
+    <message>
+        <source>Each circle gets the new part of the other</source>
+        <translation>Chaque cercle reçoit la nouvelle composante de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>In all hits tried both new parts along the line of centres are as they should be, but circle 1 has that of circle 2, and circle 2 that of circle 1. Look at which result goes to which circle.</source>
+        <translation>Dans tous les chocs essayés, les deux nouvelles composantes suivant la ligne des centres sont comme il faut, mais le cercle 1 a celle du cercle 2, et le cercle 2 celle du cercle 1. Regardez quel résultat va à quel cercle.</translation>
+    </message>
+    <message>
+        <source>The momenta along the line of centres change hands</source>
+        <translation>Les quantités de mouvement suivant la ligne des centres sont échangées</translation>
+    </message>
+    <message>
+        <source>In all hits tried each circle has after the hit the momentum along that line that the other came with. That keeps the total momentum, but where the masses differ they do not part as fast as they met.</source>
+        <translation>Dans tous les chocs essayés, chaque cercle a après le choc la quantité de mouvement suivant cette ligne avec laquelle l&apos;autre est venu. Cela conserve la quantité de mouvement totale, mais là où les masses diffèrent, ils ne se séparent pas aussi vite qu&apos;ils se sont rencontrés.</translation>
+    </message>
+    <message>
+        <source>The new parts along the line of centres have a wrong size</source>
+        <translation>Les nouvelles composantes suivant la ligne des centres n&apos;ont pas la bonne grandeur</translation>
+    </message>
+    <message>
+        <source>Both pushes have a wrong size</source>
+        <translation>Les deux poussées n&apos;ont pas la bonne grandeur</translation>
+    </message>
+    <message>
+        <source>Look at where the two masses are subtracted, and where they are added.</source>
+        <translation>Regardez où les deux masses sont soustraites, et où elles sont additionnées.</translation>
+    </message>
+    <message>
+        <source>In all hits tried of two masses both new parts are (m₁ + m₂) / (m₁ − m₂) times what is right.</source>
+        <translation>Dans tous les chocs essayés de masses différentes, les deux nouvelles composantes valent (m₁ + m₂) / (m₁ − m₂) fois ce qui est juste.</translation>
+    </message>
+    <message>
+        <source>In all hits tried of two masses both pushes are (m₁ + m₂) / (m₁ − m₂) times what is right.</source>
+        <translation>Dans tous les chocs essayés de masses différentes, les deux poussées valent (m₁ + m₂) / (m₁ − m₂) fois ce qui est juste.</translation>
+    </message>
+    <message>
+        <source>In all %1 meetings tried circle 2 was at rest; in your own scene it came with %2 m/s, and there they were answered in time. Look at whose velocities the answer is made of, and at what is asked before it.</source>
+        <translation>Dans les %1 rencontres essayées, le cercle 2 était au repos&#xa0;; dans votre propre scène, il est venu avec %2 m/s, et là ils ont réagi à temps. Regardez de quelles vitesses la réponse est faite, et ce qui est demandé avant elle.</translation>
     </message>
     <message>
         <source>They came nearer with %1 m/s, touched and kept their velocities; with %2 m/s they are answered.</source>

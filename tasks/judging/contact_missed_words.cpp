@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/contact_comparison.h"
-#include "tasks/judging/response_laws.h"
+#include "tasks/judging/response_reading.h"
 
 #include <algorithm>
 #include <iterator>
@@ -29,14 +29,18 @@ bool DividedMeetings::isPushless(const PairHit &hit) const
     if (hit.answered || answersRightly())
         return false;
     const std::vector<EqualHit> hits = comparableHits(m_own.equals, m_right.equals);
-    // Equal circles that each keep their velocity with one e are noticed with all others.
-    const Meeting &m = hit.meeting;
-    const auto isMet = [](const PairHit &other) { return other.isMet(); };
-    if (!answersAny(m_own.equals) && m.radius1 == m.radius2 && m.density1 == m.density2)
-        return !m_own.rebounds.empty()
-               && std::all_of(m_own.rebounds.begin(), m_own.rebounds.end(), isMet);
     const PairVelocities &in = hit.meeting.velocities;
     const EqualHit here{hit, in, {in.along2, in.across1, in.along1, in.across2}};
+    const Meeting &m = hit.meeting;
+    const bool isOfEquals = m.radius1 == m.radius2 && m.density1 == m.density2;
+    if (const auto law = isOfEquals ? unevenLaw(m_own, m_right) : std::nullopt;
+        law && isSameAnswer(law->answer(here), in))
+        return true;
+    // Equal circles that each keep their velocity with one e are noticed with all others.
+    const auto isMet = [](const PairHit &other) { return other.isMet(); };
+    if (!answersAny(m_own.equals) && isOfEquals)
+        return !m_own.rebounds.empty()
+               && std::all_of(m_own.rebounds.begin(), m_own.rebounds.end(), isMet);
     const auto laws = knownResponses();
     return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
         return follows(law, hits) && isSameAnswer(law.answer(here), in);

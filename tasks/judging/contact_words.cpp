@@ -185,12 +185,40 @@ private:
             .arg(QString::number(m_own.contacts.size()), brief(fastestThrown()));
     }
 
+    /// Whether circle 2 rests in all meetings that are thrown.
+    [[nodiscard]] bool areAllAtRest() const
+    {
+        return std::all_of(m_own.contacts.begin(), m_own.contacts.end(), [](const PairHit &hit) {
+            const PairVelocities &v = hit.meeting.velocities;
+            return v.along2 == 0.0 && v.across2 == 0.0;
+        });
+    }
+
+    /// That none is answered in which circle 2 rests; \p own, in which it does not, is.
+    void addOfMoving(const PairHit &own)
+    {
+        const auto held = std::find_if(m_own.contacts.begin(), m_own.contacts.end(),
+                                       [](const PairHit &h) { return h.isHeldAlone(); });
+        const bool isHeld = held != m_own.contacts.end();
+        add(isHeld ? ContactText::tr("The circles are held and keep their velocities")
+                   : ContactText::tr("No hit tried is answered but that of your own scene"),
+            (isHeld ? whoIsMoved(*held) : noneOfThrown()) + QLatin1Char(' ')
+                + ContactText::tr("In all %1 meetings tried circle 2 was at rest; in your own "
+                                  "scene it came with %2 m/s, and there they were answered in "
+                                  "time. Look at whose velocities the answer is made of, and at "
+                                  "what is asked before it.")
+                      .arg(QString::number(m_own.contacts.size()), brief(own.came2)),
+            whereTheyTouch(m_own.contacts.front()));
+    }
+
     /// The first hit of the own scene is answered, and none of those that are thrown.
     void findOwnAlone()
     {
         const PairHit &hit = *m_own.own;
         const QString seen = noneOfThrown() + QLatin1Char(' ');
-        if (isInTime(hit))
+        if (isInTime(hit) && hit.came2 != Vec2{} && areAllAtRest())
+            addOfMoving(hit);
+        else if (isInTime(hit))
             add(ContactText::tr("No hit tried is answered but that of your own scene"),
                 seen
                     + ContactText::tr("In your own scene, with %1 m/s, they were answered in time: "

@@ -27,11 +27,15 @@ Vec2 together(const EqualHit &h, double along, double across)
     return along * h.hit.normal + across * perpendicular(h.hit.normal);
 }
 
-/// The parts along \p n change hands, as they should along the line of centres.
+/// Each gets the share of the closing speed along \p n that is right along the line of centres; of
+/// two equal circles the parts change hands without losses.
 PairVelocities exchangedAlong(const EqualHit &h, Vec2 n)
 {
     const double u = dot(h.hit.came1 - h.hit.came2, n);
-    return apart(h, h.hit.came1 - u * n, h.hit.came2 + u * n);
+    const double closing = h.in.along1 - h.in.along2;
+    const double share1 = (h.right.along1 - h.in.along1) / closing;
+    const double share2 = (h.right.along2 - h.in.along2) / closing;
+    return apart(h, h.hit.came1 + share1 * u * n, h.hit.came2 + share2 * u * n);
 }
 
 Vec2 rotated(Vec2 v, double angle)
@@ -72,6 +76,12 @@ std::vector<ResponseLaw> directionLaws()
     const QString once = DirectionLawText::tr(
         "The push is multiplied by the distance of the centres, in m. A direction has length 1: "
         "divide the way from one to the other by its length wherever it stands.");
+    const QString inverse = DirectionLawText::tr(
+        "The push is divided by the square of the distance of the centres, in m. A direction has "
+        "length 1: look at how often the way from one to the other is divided by its length.");
+    const QString again = DirectionLawText::tr(
+        "The distance, in m, must not change the size of the push. Look at how often the way from "
+        "one to the other is divided by its length.");
     const QString line =
         DirectionLawText::tr("The push acts along the line from centre to centre.");
     return {
@@ -81,8 +91,12 @@ std::vector<ResponseLaw> directionLaws()
          DirectionLawText::tr("Normal and tangent are too short"), both},
         {[](DirectedHit h) { return scaled(h, 1.0 / (middleDistance(h) * middleDistance(h))); },
          DirectionLawText::tr("Normal and tangent are too long"), both},
+        {[](DirectedHit h) { return pushed(h, 1.0 / (middleDistance(h) * middleDistance(h))); },
+         DirectionLawText::tr("The normal does not have length 1"), inverse},
         {[](DirectedHit h) { return pushed(h, middleDistance(h)); },
          DirectionLawText::tr("The distance of the centres comes into the push"), once},
+        {[](DirectedHit h) { return pushed(h, 1.0 / middleDistance(h)); },
+         DirectionLawText::tr("The push is divided by the distance of the centres"), again},
         {[](DirectedHit h) { return exchangedAlong(h, perpendicular(h.hit.normal)); },
          DirectionLawText::tr("The perpendicular of the line of centres is taken for the normal"),
          line},
@@ -99,6 +113,8 @@ std::vector<ResponseLaw> directionLaws()
          DirectionLawText::tr("The normal is mirrored: the sign of its y is wrong"), line},
         {[](DirectedHit h) { return exchangedAlong(h, normalized(h.hit.came1)); },
          DirectionLawText::tr("The push acts along the velocity of circle 1"), line},
+        {[](DirectedHit h) { return exchangedAlong(h, normalized(h.hit.came2)); },
+         DirectionLawText::tr("The push acts along the velocity of circle 2"), line},
         {[](DirectedHit h) {
              return exchangedAlong(h, {1.0, 0.0});
          },

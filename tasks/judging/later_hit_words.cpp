@@ -107,13 +107,20 @@ std::optional<LawDeviation> overlapDeviation(const MeasuredPair &own, const Meas
     }
     if (!shown)
         return std::nullopt;
+    const bool isOfE = !own.rebounds.empty();
+    const QString seen =
+        isOfE ? ResponseText::tr("With e = %1 and a timestep of %2 s the circles parted with %3 "
+                                 "times the speed along the push that they met with; %4 is right.")
+                    .arg(brief(shown->meeting.restitution))
+              : ResponseText::tr("With a timestep of %1 s the circles parted with %2 times the "
+                                 "speed along the push that they met with; %3 is right.");
     return responseDeviation(
         ResponseText::tr("The rebound depends on how deep the circles overlap"),
-        ResponseText::tr("With a timestep of %1 s the circles parted with %2 times the speed along "
-                         "the push that they met with; %3 is right. In very short steps it comes "
-                         "out right: look at whether the normal has length 1 where they overlap.")
-            .arg(briefTimestep(shown->stage.preset.timestep), brief(shown->rebound()),
-                 brief(shownRight)),
+        seen.arg(briefTimestep(shown->stage.preset.timestep), brief(shown->rebound()),
+                 brief(shownRight))
+            + QLatin1Char(' ')
+            + ResponseText::tr("In very short steps it comes out right: look at whether the normal "
+                               "has length 1 where they overlap."),
         *shown, Suspect::Formula);
 }
 

@@ -163,9 +163,26 @@ private:
             return add(ReboundText::tr("Along the normal only circle 1 feels e"));
         if (isLaw(one, same))
             return add(ReboundText::tr("Along the normal only circle 2 feels e"));
-        if (findFactor())
+        if (findWholePart() || findFactor())
             return;
         findNumbers();
+    }
+
+    /// The new part along the line of centres is multiplied by e, with what both have in common.
+    bool findWholePart()
+    {
+        const auto same = [](double e) { return e; };
+        const bool one = isWhole(0);
+        const bool two = isWhole(1);
+        if (!m_isElastic || (!one && !two) || (!one && !followEach(m_all, &Rebound::first, same))
+            || (!two && !followEach(m_all, &Rebound::second, same)))
+            return false;
+        add(one && two
+                ? ReboundText::tr("e multiplies both whole new parts")
+                : ReboundText::tr("e multiplies the whole new part of circle %1").arg(one ? 1 : 2),
+            ReboundText::tr("e belongs to the rebound along the line of centres alone; the "
+                            "total momentum stays."));
+        return true;
     }
 
     bool findFactor()

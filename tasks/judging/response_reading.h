@@ -4,6 +4,7 @@
 
 #include "tasks/judging/deviation.h"
 #include "tasks/judging/measured_pair.h"
+#include "tasks/judging/response_laws.h"
 
 #include <QCoreApplication>
 
@@ -69,10 +70,13 @@ struct MassExponents {
 [[nodiscard]] std::optional<LawDeviation> sizeDeviation(const MeasuredPair &own,
                                                         const MeasuredPair &right);
 
-/// That the push on both is as large as if circle 1, or circle 2, had the mass of both:
-///     J = (1 + e) m/2 u  in place of  (1 + e) m₁ m₂ / (m₁ + m₂) u
-[[nodiscard]] std::optional<LawDeviation> loneMassDeviation(const MeasuredPair &own,
-                                                            const MeasuredPair &right);
+/// The answer in which the masses of balls stand in a wrong place, or that gives each circle what
+/// belongs to the other, if all hits of \p own follow it and two are of different masses.
+[[nodiscard]] std::optional<ResponseLaw> unevenLaw(const MeasuredPair &own,
+                                                   const MeasuredPair &right);
+/// That they do.
+[[nodiscard]] std::optional<LawDeviation> unevenDeviation(const MeasuredPair &own,
+                                                          const MeasuredPair &right);
 
 /// In what the masses of \p own are not those of \p right.
 /// \param areEqualsRight  hits of equal circles are: else only clear powers are told

@@ -134,9 +134,6 @@ private:
         // Whoever is hit again while they part has more than one answer in it.
         if (!m_equal.isRight || !hit || (m_own.twice && !m_right.twice))
             return;
-        take(loneMassDeviation(m_own, m_right));
-        if (!m_found.empty())
-            return;
         const Meeting &m = hit->meeting;
         // Where equal circles keep their velocities without losses, nothing is known of them.
         const bool isOfE = m.restitution != m_own.equals.front().meeting.restitution
@@ -263,9 +260,15 @@ std::vector<LawDeviation> responseDeviations(const MeasuredPair &own, const Meas
                                              const Ground &ground)
 {
     const auto answered = [](const PairHit &hit) { return hit.isMet(); };
-    if (!own.isJudged || !right.isJudged || !ground.pair.asked
-        || (std::none_of(own.equals.begin(), own.equals.end(), answered)
-            && std::none_of(own.rebounds.begin(), own.rebounds.end(), answered)))
+    if (!right.isJudged || !ground.pair.asked)
+        return {};
+    // Equal circles may then keep their velocities, or stop the program: by what it divides them.
+    if (auto uneven = own.areOfParting ? std::nullopt : unevenDeviation(own, right))
+        return {std::move(*uneven)};
+    if (!own.isJudged)
+        return {};
+    if (std::none_of(own.equals.begin(), own.equals.end(), answered)
+        && std::none_of(own.rebounds.begin(), own.rebounds.end(), answered))
         return {};
     if (!own.areOfParting)
         return ResponseJudge(own, right).judge();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 namespace cradle {
 
@@ -51,6 +52,15 @@ QString radiiOf(const Meeting &m)
     return ResponseText::tr("With r₁ = %1 and r₂ = %2 m: ").arg(brief(m.radius1), brief(m.radius2));
 }
 
+/// In what two circles differ.
+QString unlikeIn(const Meeting &m)
+{
+    return m.radius1 != m.radius2
+               ? radiiOf(m)
+               : ResponseText::tr("With ρ₁ = %1 and ρ₂ = %2, e = %3: ")
+                     .arg(brief(m.density1), brief(m.density2), brief(m.restitution));
+}
+
 } // namespace
 
 std::optional<LawDeviation> sizeDeviation(const MeasuredPair &own, const MeasuredPair &right)
@@ -78,37 +88,122 @@ std::optional<LawDeviation> sizeDeviation(const MeasuredPair &own, const Measure
         hit, Suspect::Formula);
 }
 
-std::optional<LawDeviation> loneMassDeviation(const MeasuredPair &own, const MeasuredPair &right)
+namespace {
+
+using Uneven = const EqualHit &;
+
+/// Both pushes as large as if both circles had the mass of that one, from 1:
+///     J = (1 + e) m/2 u  in place of  (1 + e) m₁ m₂ / (m₁ + m₂) u
+ResponseLaw loneMass(int circle)
 {
-    std::vector<EqualHit> hits = comparableHits(own.radii, right.radii);
-    const std::vector<EqualHit> more = comparableHits(own.densities, right.densities);
-    std::copy(more.begin(), more.end(), std::back_inserter(hits));
-    const auto isUnequal = [](const EqualHit &h) {
-        return std::abs(ballRatioOf(h.hit.meeting) - 1.0) > 0.1;
+    const auto ofFirst = [](Uneven h) {
+        return pushed(h, 0.5 * (1.0 + 1.0 / ballRatioOf(h.hit.meeting)));
     };
-    if (std::count_if(hits.begin(), hits.end(), isUnequal) < 2)
-        return std::nullopt;
-    for (const int circle : {1, 2}) {
-        const auto isOfOne = [circle](const EqualHit &h) {
-            const double heavy = ballRatioOf(h.hit.meeting);
-            const double share = 0.5 * (1.0 + (circle == 1 ? 1.0 / heavy : heavy));
-            return isSameAnswer(h.hit.leftParts(), pushed(h, share));
-        };
-        if (!std::all_of(hits.begin(), hits.end(), isOfOne))
-            continue;
-        const EqualHit &shown = *std::find_if(hits.begin(), hits.end(), isUnequal);
-        const PairHit &good = beside(shown.hit, own, right);
-        return responseDeviation(
-            ResponseText::tr("The size of the push hangs on the mass of circle %1 alone")
-                .arg(circle),
-            radiiOf(shown.hit.meeting) + describeHit(shown.hit, good) + QLatin1Char(' ')
-                + ResponseText::tr("In all hits tried both pushes are as large as if both circles "
-                                   "had the mass of circle %1; what each makes of its own push is "
-                                   "right. Look at which masses stand in the size of the push.")
-                      .arg(circle),
-            shown.hit, Suspect::Formula);
+    const auto ofSecond = [](Uneven h) {
+        return pushed(h, 0.5 * (1.0 + ballRatioOf(h.hit.meeting)));
+    };
+    return {
+        circle == 1 ? +ofFirst : +ofSecond,
+        ResponseText::tr("The size of the push hangs on the mass of circle %1 alone").arg(circle),
+        ResponseText::tr("In all hits tried both pushes are as large as if both circles "
+                         "had the mass of circle %1; what each makes of its own push is "
+                         "right. Look at which masses stand in the size of the push.")
+            .arg(circle)};
+}
+
+/// (m₁ + m₂) / (m₁ − m₂)
+double sumByDifference(const EqualHit &h)
+{
+    const double heavy = ballRatioOf(h.hit.meeting);
+    return (1.0 + heavy) / (1.0 - heavy);
+}
+
+/// Answers with the masses of balls in which these stand in a wrong place.
+std::vector<ResponseLaw> unevenLaws()
+{
+    const QString look = QLatin1Char(' ')
+                         + ResponseText::tr("Look at where the two masses are subtracted, and "
+                                            "where they are added.");
+    return {loneMass(1),
+            loneMass(2),
+            {[](Uneven h) {
+                 return PairVelocities{h.right.along2, h.right.across1, h.right.along1,
+                                       h.right.across2};
+             },
+             ResponseText::tr("Each circle gets the new part of the other"),
+             ResponseText::tr("In all hits tried both new parts along the line of centres are as "
+                              "they should be, but circle 1 has that of circle 2, and circle 2 "
+                              "that of circle 1. Look at which result goes to which circle.")},
+            {[](Uneven h) {
+                 const double heavy = ballRatioOf(h.hit.meeting);
+                 return PairVelocities{heavy * h.in.along2, h.in.across1, h.in.along1 / heavy,
+                                       h.in.across2};
+             },
+             ResponseText::tr("The momenta along the line of centres change hands"),
+             ResponseText::tr("In all hits tried each circle has after the hit the momentum along "
+                              "that line that the other came with. That keeps the total momentum, "
+                              "but where the masses differ they do not part as fast as they "
+                              "met.")},
+            {[](Uneven h) {
+                 return PairVelocities{sumByDifference(h) * h.right.along1, h.right.across1,
+                                       sumByDifference(h) * h.right.along2, h.right.across2};
+             },
+             ResponseText::tr("The new parts along the line of centres have a wrong size"),
+             ResponseText::tr("In all hits tried of two masses both new parts are (m₁ + m₂) / "
+                              "(m₁ − m₂) times what is right.")
+                 + look},
+            {[](Uneven h) { return pushed(h, sumByDifference(h)); },
+             ResponseText::tr("Both pushes have a wrong size"),
+             ResponseText::tr("In all hits tried of two masses both pushes are (m₁ + m₂) / "
+                              "(m₁ − m₂) times what is right.")
+                 + look}};
+}
+
+/// All hits of two programs that compare, of equal and of unequal circles, with every e.
+std::vector<EqualHit> allHits(const MeasuredPair &own, const MeasuredPair &right)
+{
+    std::vector<EqualHit> all;
+    for (const auto hits : {&MeasuredPair::radii, &MeasuredPair::densities, &MeasuredPair::equals,
+                            &MeasuredPair::rebounds}) {
+        const std::vector<EqualHit> more = comparableHits(own.*hits, right.*hits);
+        // Where a mass is divided by none, nothing of the answer is a number.
+        std::copy_if(more.begin(), more.end(), std::back_inserter(all), [](const EqualHit &h) {
+            return !h.hit.stopped && std::isfinite(h.hit.left1.x + h.hit.left2.x);
+        });
     }
-    return std::nullopt;
+    return all;
+}
+
+bool isUneven(const EqualHit &h)
+{
+    return std::abs(ballRatioOf(h.hit.meeting) - 1.0) > 0.1;
+}
+
+} // namespace
+
+std::optional<ResponseLaw> unevenLaw(const MeasuredPair &own, const MeasuredPair &right)
+{
+    const std::vector<EqualHit> hits = allHits(own, right);
+    if (std::count_if(hits.begin(), hits.end(), isUneven) < 2)
+        return std::nullopt;
+    const std::vector<ResponseLaw> laws = unevenLaws();
+    const auto found = std::find_if(laws.begin(), laws.end(),
+                                    [&](const ResponseLaw &law) { return follows(law, hits); });
+    return found == laws.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<LawDeviation> unevenDeviation(const MeasuredPair &own, const MeasuredPair &right)
+{
+    const auto law = unevenLaw(own, right);
+    if (!law)
+        return std::nullopt;
+    const std::vector<EqualHit> hits = allHits(own, right);
+    const EqualHit &shown = *std::find_if(hits.begin(), hits.end(), isUneven);
+    const PairHit &good = beside(shown.hit, own, right);
+    return responseDeviation(law->headline,
+                             unlikeIn(shown.hit.meeting) + describeHit(shown.hit, good)
+                                 + QLatin1Char(' ') + law->body,
+                             shown.hit, Suspect::Formula);
 }
 
 } // namespace cradle
