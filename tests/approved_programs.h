@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tests/approved_text.h"
+#include "tests/sanitized.h"
 
 #include "tasks/reading/lab_reader.h"
 #include "tasks/text/unified_diff.h"
@@ -74,12 +75,6 @@ inline std::vector<Program> programsOf(const QString &step)
     return all;
 }
 
-#if defined(CRADLE_SANITIZED)
-inline constexpr int everyStep = 5; ///< of so many steps one: sanitizers take seven times as long
-#else
-inline constexpr int everyStep = 1;
-#endif
-
 /// A row "task" for every step of the shipped labs.
 inline void addSteps()
 {
@@ -89,7 +84,7 @@ inline void addSteps()
         const Result<Lab> lab = readLab(QLatin1String(folder));
         QVERIFY2(lab.ok(), lab ? "" : qPrintable(lab.error().toString()));
         for (const Task &task : lab->tasks) {
-            if (++count % everyStep == 0)
+            if (++count % oneOf(5) == 0)
                 QTest::newRow(qPrintable(task.id)) << task;
         }
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/approved_programs.h"
 #include "tests/lab_test.h"
+#include "tests/sanitized.h"
 #include "tests/told_report.h"
 
 #include "tasks/judging/judgement.h"
@@ -51,12 +52,6 @@ std::map<QString, QString> sections(const QString &text)
     return all;
 }
 
-#if defined(CRADLE_SANITIZED)
-constexpr qsizetype every = 8; ///< of so many programs one: sanitizers take seven times as long
-#else
-constexpr qsizetype every = 1;
-#endif
-
 } // namespace
 
 void TestApprovedReports::reportIsAsApproved_data()
@@ -74,7 +69,7 @@ void TestApprovedReports::reportIsAsApproved_data()
                  QDir(approved::path(task.id)).entryList(QDir::Files, QDir::Name)) {
                 for (const QString &value : approved::valuesOf(task.id + QLatin1Char('/') + file)) {
                     step.handedIn.append(approved::nameOf(file, value));
-                    if (step.handedIn.size() % every != 0)
+                    if (step.handedIn.size() % oneOf(8) != 0)
                         continue;
                     QTest::addRow("%s/%s", qPrintable(task.id),
                                   qPrintable(approved::nameOf(file, value)))

@@ -6,6 +6,7 @@
 #include "tasks/judging/asked_laws.h"
 #include "tasks/judging/judgement.h"
 #include "tasks/reading/lab_reader.h"
+#include "tests/sanitized.h"
 #include "tests/test_paths.h"
 
 #include <QJsonArray>
@@ -143,10 +144,14 @@ void TestStudentEdition::editionJudgesAsTheWholeLab_data()
 {
     QTest::addColumn<QString>("folder");
     QTest::addColumn<QString>("step");
+    int count = 0;
     for (const char *folder : {"tasks/labs/bouncing-ball", "tasks/labs/lab-4.2"}) {
         const Result<Lab> lab = readLab(filesOf(folder), {});
-        for (const Task &task : lab->tasks)
+        for (const Task &task : lab->tasks) {
+            if (++count % oneOf(4) != 0)
+                continue;
             QTest::newRow(qPrintable(task.id)) << utf8(folder) << task.id;
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/code_desk.h"
 #include "tests/patience.h"
+#include "tests/sanitized.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 
@@ -74,8 +75,8 @@ void TestCodeLab::solutionsPassWhenTyped_data()
 {
     QTest::addColumn<QString>("step");
     const Result<Lab> lab = readLab(QLatin1String(shippedLab));
-    for (const Task &task : lab->tasks)
-        QTest::newRow(qPrintable(task.id)) << task.id;
+    for (std::size_t i = 0; i < lab->tasks.size(); i += std::size_t{oneOf(3)})
+        QTest::newRow(qPrintable(lab->tasks[i].id)) << lab->tasks[i].id;
 }
 
 void TestCodeLab::solutionsPassWhenTyped()
@@ -102,7 +103,8 @@ void TestCodeLab::mistakesAreRecognised_data()
     QTest::addColumn<QString>("step");
     QTest::addColumn<int>("mistake");
     const Result<Lab> lab = readLab(QLatin1String(shippedLab));
-    for (const Task &task : lab->tasks) {
+    for (std::size_t i = 0; i < lab->tasks.size(); i += std::size_t{oneOf(3)}) {
+        const Task &task = lab->tasks[i];
         // Another one in every step.
         const auto count = static_cast<int>(task.mistakes.size());
         const int mistake = static_cast<int>(task.id.size() * 7 + task.title.size()) % count;
