@@ -94,6 +94,8 @@ void TestFlightLaw::faultIsNamed_data()
         text("Every step moves both circles twice as far"));
     row("L42T4", "x only", "vec(c.velocity.x * h, 0)", fall,
         text("The y of both circles does not change"));
+    row("L42T4", "y by the time alone", "vec(c.velocity.x * h, h)", fall,
+        text("The y of both circles changes without its velocity"));
     row("L42T4", "fall without time", way, "gravity",
         text("Gravity acts on both circles for a whole second in every step"));
     row("L42T4", "fall with time twice", way, "gravity * h * h",

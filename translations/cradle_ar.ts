@@ -3749,8 +3749,8 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>جاء هذا اللقاء خطأً: %1.</translation>
     </message>
     <message>
-        <source>This one came out right: %1.</source>
-        <translation>جاء هذا اللقاء صحيحًا: %1.</translation>
+        <source>This one was answered in time: %1.</source>
+        <translation>أُجيب عن هذا اللقاء في وقته: %1.</translation>
     </message>
     <message>
         <source>Look at what changes from one side to the other: the sign of a difference, or an angle.</source>
@@ -4073,8 +4073,16 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
         <translation>لا يتغير x لدى %who</translation>
     </message>
     <message>
+        <source>The x of %who changes without its velocity</source>
+        <translation>يتغير x لدى %who دون سرعتها</translation>
+    </message>
+    <message>
         <source>The y of %who does not change</source>
         <translation>لا يتغير y لدى %who</translation>
+    </message>
+    <message>
+        <source>The y of %who changes without its velocity</source>
+        <translation>يتغير y لدى %who دون سرعتها</translation>
     </message>
     <message>
         <source>At every timestep tried it goes as far as in %1 s. Take the parameter of `on_update`.</source>

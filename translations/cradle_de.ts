@@ -3721,8 +3721,8 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>Diese ging falsch aus: %1.</translation>
     </message>
     <message>
-        <source>This one came out right: %1.</source>
-        <translation>Diese ging richtig aus: %1.</translation>
+        <source>This one was answered in time: %1.</source>
+        <translation>Diese wurde rechtzeitig beantwortet: %1.</translation>
     </message>
     <message>
         <source>Look at what changes from one side to the other: the sign of a difference, or an angle.</source>
@@ -4029,8 +4029,16 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
         <translation>x ändert sich nicht (%who)</translation>
     </message>
     <message>
+        <source>The x of %who changes without its velocity</source>
+        <translation>x ändert sich ohne die Geschwindigkeit (%who)</translation>
+    </message>
+    <message>
         <source>The y of %who does not change</source>
         <translation>y ändert sich nicht (%who)</translation>
+    </message>
+    <message>
+        <source>The y of %who changes without its velocity</source>
+        <translation>y ändert sich ohne die Geschwindigkeit (%who)</translation>
     </message>
     <message>
         <source>At every timestep tried it goes as far as in %1 s. Take the parameter of `on_update`.</source>

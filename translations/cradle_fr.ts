@@ -3721,8 +3721,8 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>Cette rencontre s&apos;est mal passée&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>This one came out right: %1.</source>
-        <translation>Cette rencontre s&apos;est bien passée&#xa0;: %1.</translation>
+        <source>This one was answered in time: %1.</source>
+        <translation>Cette rencontre a reçu sa réponse à temps&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Look at what changes from one side to the other: the sign of a difference, or an angle.</source>
@@ -4029,8 +4029,16 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
         <translation>x ne change pas (%who)</translation>
     </message>
     <message>
+        <source>The x of %who changes without its velocity</source>
+        <translation>x change sans la vitesse (%who)</translation>
+    </message>
+    <message>
         <source>The y of %who does not change</source>
         <translation>y ne change pas (%who)</translation>
+    </message>
+    <message>
+        <source>The y of %who changes without its velocity</source>
+        <translation>y change sans la vitesse (%who)</translation>
     </message>
     <message>
         <source>At every timestep tried it goes as far as in %1 s. Take the parameter of `on_update`.</source>

@@ -87,7 +87,7 @@ void DividedMeetings::tell()
     QStringList body{ContactText::tr("This one came out wrong: %1.")
                          .arg(describeMeeting(missed, m_ground, m_division))};
     if (!m_division)
-        body.append(ContactText::tr("This one came out right: %1.")
+        body.append(ContactText::tr("This one was answered in time: %1.")
                         .arg(describeMeeting(plainest(m_answered), m_ground, m_division)));
     body.append(counted());
     body.append(isSide

@@ -11,6 +11,10 @@
 
 namespace cradle {
 
+/// Of a law that is told with two digits: what is left by another one that is near it, such as a
+/// constant beside large velocities, is more.
+constexpr double exact = 1e-3;
+
 QString lawOfPart(const std::vector<EqualHit> &hits, int circle)
 {
     const auto partOf = [&](const PairVelocities &v) { return circle == 0 ? v.along1 : v.along2; };
@@ -35,7 +39,7 @@ QString lawOfPart(const std::vector<EqualHit> &hits, int circle)
     const double of2 = (a11 * b2 - a12 * b1) / det;
     const bool holds = std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
         // Where they do not exchange their parts, other numbers are right.
-        return isAlike(of1 * h.in.along1 + of2 * h.in.along2, partOf(h.hit.leftParts()), 5e-3)
+        return isAlike(of1 * h.in.along1 + of2 * h.in.along2, partOf(h.hit.leftParts()), exact)
                && isAlike(h.right.along1, h.in.along2, 5e-3);
     });
     if (!holds)

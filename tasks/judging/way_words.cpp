@@ -41,8 +41,7 @@ public:
         const TimestepPattern &other = isX ? y : isY || !isRight(x) ? x : y;
         const QString went = seen(at, other.value);
         if (isX != isY && isRight(other))
-            return said(isX ? FlightText::tr("The x of %who does not change")
-                            : FlightText::tr("The y of %who does not change"),
+            return said(withoutVelocity(isX, isX ? f.wayMade.x : f.wayMade.y),
                         went
                             + FlightText::tr(" Both parts of the position must change, each by "
                                              "its own part of the velocity."),
@@ -96,6 +95,16 @@ public:
     }
 
 private:
+    /// Of a part of the position of which the velocity has no share, where it goes so far, m.
+    static QString withoutVelocity(bool isX, double way)
+    {
+        if (std::abs(way) > 1e-9)
+            return isX ? FlightText::tr("The x of %who changes without its velocity")
+                       : FlightText::tr("The y of %who changes without its velocity");
+        return isX ? FlightText::tr("The x of %who does not change")
+                   : FlightText::tr("The y of %who does not change");
+    }
+
     /// What takes it so many times as far as v Δt takes it to a wall.
     static constexpr double far = 20.0;
 
