@@ -158,6 +158,17 @@ void TestToldMotion::aRightFirstStepIsNotBlamed()
         "next step that changes by (#, #) m/s, and gravity gives it (#, #) m/s.");
     QCOMPARE(n.size(), std::size_t{9});
     QVERIFY(isNear(n[3], n[1] - 9.81 / n[4]) && n[6] == 0.0 && isNear(n[8], -9.81 / n[4]));
+    // Where nothing pulls, a step that changes nothing is as right.
+    const LawProgram later{.start = QStringLiteral("begun = false"),
+                           .move = QStringLiteral("c.position = c.position + c.velocity * h "
+                                                  "if begun then c.velocity = 0.5 * c.velocity end "
+                                                  "begun = true")};
+    const QString said = bodyOfProgram("L42T2", written(later, structures[0]));
+    const auto kept = numbersIn(said, "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/# s "
+                                      "later, which is right; in the next step that changes by (#, "
+                                      "#) m/s, and gravity gives it (#, #) m/s.");
+    QVERIFY2(kept.size() == 9, qPrintable(said));
+    QVERIFY(kept[2] == kept[0] && isNear(kept[5], -0.5 * kept[0]) && kept[8] == 0.0);
 }
 
 /// Two steps at once, and none in the next one.

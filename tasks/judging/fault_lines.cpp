@@ -72,8 +72,8 @@ void FaultLines::point(Finding &finding, const LawDeviation &deviation,
     std::optional<int> workedOut;
     if (!deviation.moment.circles.empty() && origin.isWriteBack(finding.line))
         workedOut = origin.of(finding.line);
-    const int proven =
-        provenLine(deviation, ran, workedOut && *workedOut > 0 ? *workedOut : finding.line, before);
+    const int from = workedOut.value_or(0);
+    const int proven = provenLine(deviation, ran, from ? from : finding.line, before);
     // Where a copy is at fault, the value itself in its place mends it, too.
     const int line =
         proven != 0 && deviation.suspect != Suspect::Copy

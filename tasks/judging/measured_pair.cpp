@@ -247,14 +247,15 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         PairVelocities apart{-0.9, 0.4, 0.8, 0.4};
         partings.push_back(range.part({degrees, small, small, light, light, e, apart}));
     }
-    const auto missesSome = [](const std::vector<PairHit> &hits) {
-        return !std::all_of(hits.begin(), hits.end(),
-                            [](const PairHit &hit) { return hit.isInTime(); });
+    const auto missesNone = [](const std::vector<PairHit> *hits) {
+        return std::all_of(hits->begin(), hits->end(),
+                           [](const PairHit &hit) { return hit.isInTime(); });
     };
-    if (missesSome(contacts) || missesSome(equals) || missesSome(radii) || missesSome(densities))
+    const auto usual = {&contacts, &equals, &radii, &densities};
+    if (!std::all_of(usual.begin(), usual.end(), missesNone)) {
         varied = range.varied(e);
-    if (!varied.empty())
         opposite = range.opposite(small);
+    }
     areOfParting = answersPartingsAlone();
     if (areOfParting) {
         for (auto *hits : {&equals, &radii, &sizes, &densities, &rebounds}) {
