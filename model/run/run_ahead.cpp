@@ -21,29 +21,23 @@ void RunAhead::start(Runner &run, Program *program, const EncounterLog &contacts
     m_steps.clear();
     const std::size_t bytes = std::max<std::size_t>(1, run.world().circles.size()) * sizeof(Circle);
     m_mostSteps = std::clamp<std::size_t>(mostBytes / bytes, 1, mostSteps);
-    m_stop = false;
     m_done = false;
-    m_thread = std::thread([this, &run, program, contacts, end]() mutable {
-        work(run, program, std::move(contacts), end);
-        m_done = true;
-    });
+    m_thread =
+        std::jthread([this, &run, program, contacts, end](const std::stop_token &stopped) mutable {
+            work(stopped, run, program, std::move(contacts), end);
+            m_done = true;
+        });
 }
 
 void RunAhead::stop()
 {
-    if (!m_thread.joinable())
-        return;
-    {
-        const std::scoped_lock lock(m_lock);
-        m_stop = true;
-    }
-    m_taken.notify_one();
-    m_thread.join();
+    m_thread = {};
 }
 
-void RunAhead::work(Runner &run, Program *program, EncounterLog contacts, double end)
+void RunAhead::work(const std::stop_token &stopped, Runner &run, Program *program,
+                    EncounterLog contacts, double end)
 {
-    while (!m_stop && run.world().time < end) {
+    while (!stopped.stop_requested() && run.world().time < end) {
         const Runner::Progress progress = run.advance(run.scene().timestep, Runner::eventsAtOnce);
         if (progress == Runner::Progress::Failed)
             return;
@@ -52,17 +46,18 @@ void RunAhead::work(Runner &run, Program *program, EncounterLog contacts, double
         const World &world = run.world();
         contacts.add(run.hits(), world.circles, 0);
         hand({world, run.hits(), run.isProgrammed() ? program->takeOutput() : ProgramOutput{},
-              run.mergedFrom()});
+              run.mergedFrom()},
+             stopped);
         if (!contacts.encounters().empty() && contacts.encounters().back().step == world.step)
             return;
     }
 }
 
 /// Waits while too many were not taken.
-void RunAhead::hand(Step step)
+void RunAhead::hand(Step step, const std::stop_token &stopped)
 {
     std::unique_lock lock(m_lock);
-    m_taken.wait(lock, [this] { return m_stop || m_steps.size() < m_mostSteps; });
+    m_taken.wait(lock, stopped, [this] { return m_steps.size() < m_mostSteps; });
     m_steps.push_back(std::move(step));
 }
 

@@ -48,14 +48,14 @@ public:
     [[nodiscard]] std::optional<Step> take();
 
 private:
-    void work(Runner &run, Program *program, EncounterLog contacts, double end);
-    void hand(Step step);
+    void work(const std::stop_token &stopped, Runner &run, Program *program, EncounterLog contacts,
+              double end);
+    void hand(Step step, const std::stop_token &stopped);
 
-    std::thread m_thread;
-    std::atomic_bool m_stop = false;
+    std::jthread m_thread; ///< what it is replaced by waits for its end
     std::atomic_bool m_done = true;
     std::mutex m_lock; ///< of the steps
-    std::condition_variable m_taken;
+    std::condition_variable_any m_taken;
     std::deque<Step> m_steps;
     std::size_t m_mostSteps = 1;
 };

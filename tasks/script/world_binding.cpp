@@ -161,7 +161,7 @@ void hideGiven(lua_State *L)
     const std::size_t circles = std::min(ScriptHost::of(L).circles.size(), mostNamed);
     lua_pushglobaltable(L);
     const int globals = lua_gettop(L);
-    lua_createtable(L, 0, static_cast<int>(names.size() + circles));
+    lua_newtable(L);
     const int given = globals + 1;
     for (const char *name : names) {
         lua_getfield(L, globals, name);
