@@ -17,6 +17,7 @@ private slots:
     void saysWhatIsWrong();
     void unitsAreTurnedIntoWhatIsAsked_data();
     void unitsAreTurnedIntoWhatIsAsked();
+    void partsOfAUnitKeepTheirDecimals();
     void wrongUnitsAreSaid_data();
     void wrongUnitsAreSaid();
     void ownNamesAreNoValues();
@@ -130,6 +131,18 @@ void TestExpression::unitsAreTurnedIntoWhatIsAsked()
     const auto value = evaluated(text, values, unit);
     QVERIFY2(value.ok(), value ? "" : qPrintable(value.error().message));
     QCOMPARE(*value, number);
+}
+
+/// To the bit, though a power of a part of a unit is rounded.
+void TestExpression::partsOfAUnitKeepTheirDecimals()
+{
+    const auto inSi = [](const char *text) {
+        return *evaluated(QString::fromUtf8(text), {}, QString());
+    };
+    QVERIFY(inSi("35 cm") == 0.35);
+    QVERIFY(inSi("5 dm²") == 0.05);
+    QVERIFY(inSi("3 cm³") == 3e-6);
+    QVERIFY(inSi("0.3 cm³") == 3e-7);
 }
 
 void TestExpression::wrongUnitsAreSaid_data()

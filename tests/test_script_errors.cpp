@@ -61,6 +61,8 @@ void TestScriptErrors::errorsOfAnyTypeAreSaid_data()
     QTest::addColumn<QString>("words");
     QTest::newRow("text") << lua("error('no mass')") << lua("no mass");
     QTest::newRow("text blamed on the caller") << lua("error('no mass', 2)") << lua("no mass");
+    QTest::newRow("letters of a terminal") << lua("error('no\\27\\tmass')") << lua("no  mass");
+    QTest::newRow("bytes that are no text") << lua("error('no\\xffmass')") << lua("no mass");
     QTest::newRow("number") << lua("error(42)") << lua("42");
     QTest::newRow("nil") << lua("error()") << lua("error with nil");
     QTest::newRow("table") << lua("error({})") << lua("error with a table");
