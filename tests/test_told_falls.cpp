@@ -25,6 +25,7 @@ private slots:
     void aNumberForGravityIsTold();
     void anOldCopyOfGravityIsTold();
     void aTimestepThatFallsRightlyIsTold();
+    void nothingIsToldOfWhoIsNotThere();
 };
 
 void TestToldFalls::fallOfAStepIsTold_data()
@@ -183,6 +184,24 @@ void TestToldFalls::aTimestepThatFallsRightlyIsTold()
     QCOMPARE(n[4], 30.0);
     QVERIFY(isNear(n[3], -9.81 / 60) && isNear(n[6], -9.81 / 30));
     QVERIFY(n[7] >= 60.0);
+}
+
+/// The own scene has one circle, where the step asks for two.
+void TestToldFalls::nothingIsToldOfWhoIsNotThere()
+{
+    const Task &step = task(QStringLiteral("L42T17"));
+    Preset alone = step.preset;
+    alone.circles.resize(1);
+    const Ground ground(step, alone);
+    const MeasuredLaws right(&step.solution, ground);
+    const LawProgram old{.start = QStringLiteral("pull = gravity gravity = vec(0, -9.81)"),
+                         .move = QStringLiteral("c.velocity = c.velocity + pull * h "
+                                                "c.position = c.position + c.velocity * h")};
+    const QString program = written(old, structures[3]);
+    const MeasuredLaws own(&program, ground);
+    const auto found = flightDeviations(own.flight(), right.flight(), ground);
+    QCOMPARE(found.size(), std::size_t{1});
+    QCOMPARE(found.front().moment.circles, std::vector<int>{0});
 }
 
 QTEST_GUILESS_MAIN(TestToldFalls)
