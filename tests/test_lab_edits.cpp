@@ -252,6 +252,11 @@ void TestLabEdits::formThatDoesNotFitIsRefused()
     QVERIFY(!lab);
     QCOMPARE(lab.error().file, masses + text("/task.json"));
     QCOMPARE(lab.error().pointer, text("/checks/2/title"));
+    TAKE(form, taskForm(m_lab, masses, text("de")));
+    form.title = QString(201, QLatin1Char('x'));
+    const Result<LabFiles> translated = withTask(m_lab, masses, form, text("de"));
+    QVERIFY(!translated);
+    QCOMPARE(translated.error().file, masses + text("/task.de.json"));
     QVERIFY(!taskForm(m_lab, text("nowhere")));
 }
 

@@ -17,6 +17,7 @@ class TestLabVerifier : public QObject
     Q_OBJECT
 private slots:
     void soundLabHasNoFindings();
+    void oneStepIsVerifiedAlone();
     void findingSaysWhatItIsAbout_data();
     void findingSaysWhatItIsAbout();
     void checksThatAddNothingAreNamed();
@@ -72,6 +73,17 @@ Lab labOf(const Task &task)
 }
 
 } // namespace
+
+void TestLabVerifier::oneStepIsVerifiedAlone()
+{
+    Lab lab = labOf(soundTask());
+    lab.tasks.push_back(soundTask());
+    lab.tasks.back().id = QStringLiteral("S2");
+    QCOMPARE(verifyLab(lab).size(), std::size_t{2});
+    const std::vector<VerifiedTask> verified = verifyLab(lab, QStringLiteral("S2"));
+    QCOMPARE(verified.size(), std::size_t{1});
+    QCOMPARE(verified.front().id, QStringLiteral("S2"));
+}
 
 void TestLabVerifier::soundLabHasNoFindings()
 {

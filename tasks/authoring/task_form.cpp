@@ -249,20 +249,22 @@ Result<LabFiles> withTask(const LabFiles &files, const QString &step, const Task
         if (const QString newId = newIdOf(*own, form, i); newId != id)
             result = withTranslatedKey(*result, step, QStringLiteral("checks"), id, newId);
     }
+    const auto goOn = [&result](const auto &with, const auto &...what) {
+        if (result)
+            result = with(*result, what...);
+    };
     const QString translation = translatedPath(taskPath(step), language);
     for (const QString &path : translationsOf(files, step)) {
-        if (result && (!translated || path != translation))
-            result = withAnswersFollowing(*result, path, before->prediction, form.prediction);
+        if (!translated || path != translation)
+            goOn(withAnswersFollowing, path, before->prediction, form.prediction);
     }
-    if (result && translated)
-        result =
-            withPatch(*result, translation, translationSchema, textsOf(*before), textsOf(form));
-    if (result && translated)
-        result = withPredictionTexts(*result, translation, before->prediction, form.prediction);
-    if (result)
-        result = withQuestionsFollowing(*result, step, before->questions, form.questions);
-    if (result && translated)
-        result = withQuestionTexts(*result, translation, before->questions, form.questions);
+    if (translated) {
+        goOn(withPatch, translation, translationSchema, textsOf(*before), textsOf(form));
+        goOn(withPredictionTexts, translation, before->prediction, form.prediction);
+    }
+    goOn(withQuestionsFollowing, step, before->questions, form.questions);
+    if (translated)
+        goOn(withQuestionTexts, translation, before->questions, form.questions);
     return result;
 }
 
