@@ -22,6 +22,8 @@ private slots:
     void velocitiesThatAreExchangedAreTold();
     void velocityOfAnotherIsTold();
     void slowOnesThatStopAreTold();
+    void speedThatIsLimitedIsTold_data();
+    void speedThatIsLimitedIsTold();
     void placeThatIsMultipliedIsTold_data();
     void placeThatIsMultipliedIsTold();
     void anotherThatMovesItIsTold();
@@ -141,6 +143,35 @@ void TestToldCarried::slowOnesThatStopAreTold()
     QVERIFY2(n.size() == 4, qPrintable(said));
     QVERIFY(std::hypot(n[0], n[1]) < 4.0);
     QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{0.0, -9.81 / 60.0}));
+}
+
+void TestToldCarried::speedThatIsLimitedIsTold_data()
+{
+    QTest::addColumn<QString>("faster");
+    QTest::addColumn<double>("share"); // of the speed, or 0: 8 m/s
+    QTest::newRow("held") << "c.velocity:normalized() * 8" << 0.0;
+    QTest::newRow("less") << "c.velocity * 0.9" << 0.9;
+    QTest::newRow("half") << "c.velocity / 2" << 0.5;
+}
+
+/// What falls from high comes so fast.
+void TestToldCarried::speedThatIsLimitedIsTold()
+{
+    QFETCH(QString, faster);
+    QFETCH(double, share);
+    const QString said =
+        bodyOfMove(QStringLiteral("c.position = c.position + c.velocity * h c.velocity = "
+                                  "c.velocity + gravity * h "
+                                  "if c.velocity:length() > 8 then c.velocity = %1 end")
+                       .arg(faster)
+                       .toUtf8()
+                       .constData(),
+                   "The velocity of both circles changes far from everything");
+    const auto n = numbersIn(said, "Thrown with (#, #) m/s, it has (#, #) m/s one step of 1/60 s");
+    QVERIFY2(n.size() == 4, qPrintable(said));
+    const double was = std::hypot(n[0], n[1] - 9.81 / 60.0);
+    QVERIFY(was > 8.0);
+    QVERIFY(isNear(std::hypot(n[2], n[3]), share == 0.0 ? 8.0 : share * was));
 }
 
 void TestToldCarried::placeThatIsMultipliedIsTold_data()

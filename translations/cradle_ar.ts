@@ -2175,6 +2175,10 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>تستجيب الدائرتان إحداهما للأخرى مع أنّهما متباعدتان</translation>
     </message>
     <message>
+        <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later; where circle %6 starts at %7 m, circle %8 keeps its velocity. Look at how your program tests whether they touch.</source>
+        <translation>أُطلقتا بسرعة ⁨%1⁩ و⁨%2⁩ m/s متباعدتين، فصارت سرعتاهما ⁨%3⁩ و⁨%4⁩ m/s بعد خطوة مدّتها ⁨%5⁩ s؛ وحيث تبدأ الدائرة ⁨%6⁩ عند ⁨%7⁩ m تحتفظ الدائرة ⁨%8⁩ بسرعتها. انظر كيف يختبر برنامجك ما إذا كانتا تتلامسان.</translation>
+    </message>
+    <message>
         <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later: the velocities change against each other, as in a hit. Look at how your program tests whether they touch.</source>
         <translation>أُطلقتا بسرعة ⁨%1⁩ و⁨%2⁩ m/s متباعدتين، فصارت سرعتاهما ⁨%3⁩ و⁨%4⁩ m/s بعد خطوة مدّتها ⁨%5⁩ s: تتغيّر السرعتان إحداهما عكس الأخرى كما في تصادم. انظر كيف يختبر برنامجك ما إذا كانتا تتلامسان.</translation>
     </message>

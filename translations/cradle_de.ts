@@ -2227,6 +2227,10 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Kreise antworten aufeinander, obwohl sie weit voneinander entfernt sind</translation>
     </message>
     <message>
+        <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later; where circle %6 starts at %7 m, circle %8 keeps its velocity. Look at how your program tests whether they touch.</source>
+        <translation>Mit %1 und %2 m/s gestartet, weit voneinander entfernt, haben sie einen Schritt von %5 s später %3 und %4 m/s; startet Kreis %6 bei %7 m, behält Kreis %8 seine Geschwindigkeit. Sieh dir an, wie dein Programm prüft, ob sie sich berühren.</translation>
+    </message>
+    <message>
         <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later: the velocities change against each other, as in a hit. Look at how your program tests whether they touch.</source>
         <translation>Mit %1 und %2 m/s gestartet, weit voneinander entfernt, haben sie einen Schritt von %5 s später %3 und %4 m/s: Die Geschwindigkeiten ändern sich gegeneinander, wie bei einem Stoß. Sieh dir an, wie dein Programm prüft, ob sie sich berühren.</translation>
     </message>

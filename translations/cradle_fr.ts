@@ -2151,6 +2151,10 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Les cercles réagissent l’un à l’autre alors qu’ils sont éloignés</translation>
     </message>
     <message>
+        <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later; where circle %6 starts at %7 m, circle %8 keeps its velocity. Look at how your program tests whether they touch.</source>
+        <translation>Lancés à %1 et %2 m/s, loin l’un de l’autre, ils ont %3 et %4 m/s un pas de %5 s plus tard ; là où le cercle %6 part de %7 m, le cercle %8 garde sa vitesse. Regardez comment votre programme vérifie s’ils se touchent.</translation>
+    </message>
+    <message>
         <source>Started with %1 and %2 m/s, far from each other, they have %3 and %4 m/s one step of %5 s later: the velocities change against each other, as in a hit. Look at how your program tests whether they touch.</source>
         <translation>Lancés à %1 et %2 m/s, loin l’un de l’autre, ils ont %3 et %4 m/s un pas de %5 s plus tard : les vitesses changent en sens opposés, comme dans un choc. Regardez comment votre programme vérifie s’ils se touchent.</translation>
     </message>

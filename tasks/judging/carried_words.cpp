@@ -47,6 +47,8 @@ public:
                     .arg(f.borrows + 1)
                     .arg(brief(f.startedWith), brief(f.turnedInto)),
                 false);
+        if (const auto fault = stoppedByAnother())
+            return fault;
         if (f.onlySlow && !right().onlySlow)
             return said(FlightText::tr("Away from every wall a low speed of %who is taken away"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, far "
@@ -123,6 +125,33 @@ public:
     {
         FlightSaid fault = said(headline, body, true);
         fault.hidesHits = m_ground.pair.asked;
+        return fault;
+    }
+
+    /// Whether the two stop as if they touched, because of where the other is.
+    [[nodiscard]] std::optional<FlightSaid> stoppedByAnother() const
+    {
+        if (!m_ground.pair.asked || !flight(0).freedBy || right().resets)
+            return std::nullopt;
+        const Flight &a = m_own.at(gravity(), timestep(), 0);
+        const Flight &b = m_own.at(gravity(), timestep(), 1);
+        if (!a.resets || !b.resets)
+            return std::nullopt;
+        // One that both are told with.
+        const bool isFirst = a.freedBy.has_value();
+        FlightSaid fault = said(
+            FlightText::tr("The circles answer each other although they are far apart"),
+            FlightText::tr("Started with %1 and %2 m/s, far from each other, they have %3 and %4 "
+                           "m/s one step of %5 s later; where circle %6 starts at %7 m, circle "
+                           "%8 keeps its velocity. Look at how your program tests "
+                           "whether they touch.")
+                .arg(brief(a.startedWith), brief(b.startedWith), brief(a.turnedInto),
+                     brief(b.turnedInto), briefTimestep(timestep()),
+                     QString::number(isFirst ? 2 : 1), brief(*(isFirst ? a : b).freedBy),
+                     QString::number(isFirst ? 1 : 2)),
+            false);
+        fault.suspect = Suspect::Question;
+        fault.moment.step = 1;
         return fault;
     }
 

@@ -100,6 +100,26 @@ bool keepsSpeed(const Flight &slow, const Steps &rest, const Steps &run, std::si
            && (slow.resetsY || std::abs(kept.x) > 0.5 * std::abs(run.start[i].velocity.x));
 }
 
+/// Where the other of two circles stands, far from circle \p i, so that what stops that one
+/// elsewhere lets it go on: then the place of the other is what the program asks.
+std::optional<Vec2> freedBy(const QString *program, const Ground &ground, Vec2 gravity, double h,
+                            std::size_t i, const Steps &rest)
+{
+    static constexpr Vec2 places[] = {
+        {0.07, -0.11}, {3.13, 2.91}, {-2.87, 3.07}, {2.93, -3.19}, {-3.11, -2.83}};
+    Preset preset = flightPreset(ground, gravity, h, Scene::First);
+    if (preset.circles.size() != 2)
+        return std::nullopt;
+    for (const Vec2 place : places) {
+        preset.circles[1 - i].body.position = place;
+        const Steps run = fly(program, preset);
+        const auto kept = [&] { return run.before[i].velocity - rest.before[i].velocity; };
+        if (run.made && length(kept() - run.start[i].velocity) < 1e-9)
+            return place;
+    }
+    return std::nullopt;
+}
+
 /// Whether circle \p i goes the same two steps in both.
 bool areSame(const Steps &a, const Steps &b, std::size_t i)
 {
@@ -249,11 +269,20 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
             if (!flights[i].leap)
                 flights[i].leap = leapOf(flights[i], creeping, h, i, Flight::Speed::Slow);
             if (!flights[i].leap)
+                flights[i].leap = leapOf(flights[i], falling, h, i, Flight::Speed::Fast);
+            if (!flights[i].leap)
                 readFastWay(flights[i], quick, h, i);
         }
-        if (flights[i].resets || flights[i].resetsX || flights[i].resetsY)
-            flights[i].onlySlow =
-                keepsSpeed(flights[i], rest, isFurther ? run(Scene::Fast) : quick, i);
+        if (flights[i].resets || flights[i].resetsX || flights[i].resetsY) {
+            const auto keeps = [&](const Steps &flown) {
+                return keepsSpeed(flights[i], rest, flown, i);
+            };
+            // It is the speed only where the places to which it comes are not to blame.
+            flights[i].onlySlow = keeps(isFurther ? run(Scene::Fast) : quick)
+                                  && keeps(run(Scene::Behind)) && !keeps(run(Scene::Ahead));
+        }
+        if (flights[i].resets && !isFurther)
+            flights[i].freedBy = freedBy(program, ground, gravity, h, i, rest);
         if (flights[i].isFromLeader)
             continue;
         if (!flights[i].isKnown || flights[i].way == Vec2{})

@@ -49,12 +49,14 @@ struct Flight {
     bool isFromLeader = false; ///< it goes on from where that one is
     int borrows = -1;          ///< the circle whose velocity it has after a step, and not its own
     bool onlySlow = false;     ///< what resets does so of slow circles only
-    bool isTimeless = true;    ///< the same start gives the same step at any time of a run
-    bool isCounted = false;    ///< it does so again a step or two later than where it does not
-    Vec2 lateWay{};            ///< of a step late in a run that starts as seen[0] did, m
-    Vec2 lateVelocity{};       ///< after the first of such steps, m/s
-    Vec2 firstWay{};           ///< of the first step of a run, m
-    Vec2 lateFirstWay{};       ///< and of the first of the late ones, m
+    /// Where another stands, m, so that what resets it elsewhere leaves it its velocity.
+    std::optional<Vec2> freedBy{};
+    bool isTimeless = true; ///< the same start gives the same step at any time of a run
+    bool isCounted = false; ///< it does so again a step or two later than where it does not
+    Vec2 lateWay{};         ///< of a step late in a run that starts as seen[0] did, m
+    Vec2 lateVelocity{};    ///< after the first of such steps, m/s
+    Vec2 firstWay{};        ///< of the first step of a run, m
+    Vec2 lateFirstWay{};    ///< and of the first of the late ones, m
     /// Which flights show something: any, or only those that are fast, or slow.
     enum class Speed { Any, Fast, Slow };
     /// A flight whose first step changes its velocity otherwise than later ones do.

@@ -34,9 +34,11 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
     preset.timestep = h;
     for (std::size_t i = 0; i < preset.circles.size(); ++i) {
         Circle &c = preset.circles[i].body;
-        if (scene == Scene::First || scene == Scene::Second)
-            c.velocity = velocityOf(scene == Scene::First ? 0 : 1, i);
-        else if (scene == Scene::Fast)
+        if (scene == Scene::First || scene == Scene::Ahead)
+            c.velocity = velocityOf(0, i);
+        else if (scene == Scene::Second)
+            c.velocity = velocityOf(1, i);
+        else if (scene == Scene::Fast || scene == Scene::Behind)
             c.velocity = fast * velocityOf(0, i);
         else if (scene == Scene::Slow)
             c.velocity = slow * velocityOf(0, i);
@@ -46,6 +48,9 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
             c.velocity = velocityOf(0, i);
         else if (scene == Scene::Shifted || scene == Scene::Apart)
             c.position += shift;
+        if (scene == Scene::Ahead || scene == Scene::Behind)
+            c.position +=
+                (scene == Scene::Ahead ? 1.0 : -1.0) * (fast - 1.0) * h * velocityOf(0, i);
     }
     return preset;
 }

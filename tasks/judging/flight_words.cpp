@@ -218,6 +218,7 @@ private:
                 + othersGoOn(leap.speed),
             false);
         fault.moment = {flightStage(m_ground, gravity(), timestep(), leap.speed), 1, {m_i}, false};
+        fault.moment.stage.preset.circles[static_cast<std::size_t>(m_i)].body.velocity = leap.from;
         return fault;
     }
 
