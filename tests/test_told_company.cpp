@@ -17,6 +17,10 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void contactAlongOneAxisIsNoFaultOfTheWalls_data();
     void contactAlongOneAxisIsNoFaultOfTheWalls();
+    void contactFarApartIsNoFaultOfTheWalls_data();
+    void contactFarApartIsNoFaultOfTheWalls();
+    void stopFarApartIsOneOfTheContact_data();
+    void stopFarApartIsOneOfTheContact();
     void circlesThatNeverMeetAreTold_data();
     void circlesThatNeverMeetAreTold();
     void whoIsHeldBeforeIsNotSaidToMiss();
@@ -63,6 +67,75 @@ void TestToldCompany::contactAlongOneAxisIsNoFaultOfTheWalls()
         for (const QString &finding : told)
             QVERIFY2(!finding.startsWith(QLatin1String("walls:")), qPrintable(finding));
     }
+}
+
+void TestToldCompany::contactFarApartIsNoFaultOfTheWalls_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("touch");
+    QTest::addColumn<std::size_t>("way");
+    QTest::newRow("doubled, put back") << "L42T11"
+                                       << "math.sqrt(d.x ^ 2 + d.y * 2) < reach" << std::size_t{0};
+    QTest::newRow("doubled, in place") << "L42T12"
+                                       << "d.x ^ 2 + 2 * d.y < reach ^ 2" << std::size_t{1};
+    QTest::newRow("no square") << "L42T12"
+                               << "d.x ^ 2 + d.y < reach ^ 2" << std::size_t{1};
+}
+
+/// They push each other as one comes to a wall, by chance.
+void TestToldCompany::contactFarApartIsNoFaultOfTheWalls()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, touch);
+    QFETCH(std::size_t, way);
+    const bool isGlancing = step == QLatin1String("L42T11");
+    for (const std::size_t wall : {0, 1}) {
+        const QString program = written(
+            {.start = isGlancing ? QStringLiteral("circle1.position, circle1.velocity = "
+                                                  "vec(-2, 2.3), vec(2, 0) circle2.position, "
+                                                  "circle2.velocity = vec(2, 2), vec(0, 0)")
+                                 : QStringLiteral("circle1.position, circle1.velocity = "
+                                                  "vec(-2, 2), vec(2, 0) circle2.position, "
+                                                  "circle2.velocity = vec(2, -2), vec(0, 2)"),
+             .walls = wallsOf(wallWays[wall], "c.radius", "1"),
+             .hit = hitOf(hitWays[way], {.touch = touch, .mass = QStringLiteral("1")})},
+            structures[1]);
+        const QStringList told = toldOf(step.toUtf8().constData(), program);
+        QVERIFY(!told.isEmpty());
+        for (const QString &finding : told)
+            QVERIFY2(!finding.startsWith(QLatin1String("walls:")), qPrintable(finding));
+    }
+}
+
+void TestToldCompany::stopFarApartIsOneOfTheContact_data()
+{
+    QTest::addColumn<QString>("touch");
+    for (const char *touch : {"p.position:length() - q.position:length() < reach",
+                              "p.position.x - q.position.x < reach", "d.y < reach"})
+        QTest::addRow("%s", touch) << touch;
+}
+
+/// Where they stand decides, not how fast they are.
+void TestToldCompany::stopFarApartIsOneOfTheContact()
+{
+    QFETCH(QString, touch);
+    const QString program = written(
+        {.start = QStringLiteral("circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0) "
+                                 "circle2.position, circle2.velocity = vec(2, 2), vec(0, 0)"),
+         .walls = wallsOf(wallWays[2], "c.radius", "1"),
+         .hit = hitOf(hitWays[1],
+                      {.touch = touch,
+                       .approach = QStringLiteral("true"),
+                       .answer = QStringLiteral("p.velocity, q.velocity = vec(0, 0), vec(0, 0)")})},
+        structures[0]);
+    const QString told = toldOf("L42T9", program).value(0);
+    QVERIFY2(told.startsWith(QLatin1String("motion:The circles answer each other although they "
+                                           "are far apart")),
+             qPrintable(told));
+    const auto n =
+        numbersIn(told, "they have (0, 0) and (0, 0) m/s one step of 1/60 s later; "
+                        "where circle # starts at (#, #) m, circle # keeps its velocity");
+    QVERIFY2(n.size() == 4 && n[0] + n[3] == 3.0, qPrintable(told));
 }
 
 void TestToldCompany::circlesThatNeverMeetAreTold_data()

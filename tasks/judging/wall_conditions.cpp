@@ -3,6 +3,7 @@
 #include "tasks/judging/condition_comparison.h"
 
 #include "tasks/judging/brief_beside.h"
+#include "tasks/judging/pair_words.h"
 #include "tasks/judging/wall_comparison.h"
 
 #include <map>
@@ -201,6 +202,14 @@ private:
         return walls;
     }
 
+    /// Whether circles that answer each other where they do not touch may do so as one comes to a
+    /// wall: then what is odd there at times, and in no run in which they stay apart, is theirs.
+    [[nodiscard]] bool mayBeOfTheTwo() const
+    {
+        return m_ground.pair.asked && m_said.deviations.empty()
+               && !contactDeviations(m_own.pair(), m_right.pair(), m_ground).empty();
+    }
+
     template <class IsReplaced>
     void sayWalls(const Series<WallOccasion> &series, const Words &words, IsReplaced isReplaced)
     {
@@ -218,6 +227,8 @@ private:
             m_said.deviations.clear();
             return;
         }
+        if (condition->kind == Condition::Kind::Sometimes && mayBeOfTheTwo())
+            return;
         const auto &[own, right] = series.firstWrong();
         const std::set<Wall> walls = wrongWalls(series);
         const std::set<Wall> all = rightWalls();

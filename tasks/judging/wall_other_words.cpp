@@ -84,7 +84,8 @@ public:
 
 private:
     /// Whether it may be a hit of the two, near a wall by chance: both rest after it, one has the
-    /// velocity of the other, or both were pushed along the line of centres.
+    /// velocity of the other, or the other was pushed along the line of centres. The one beside the
+    /// wall may have been turned by that, too.
     [[nodiscard]] bool isOfTwo(const WallHit &hit) const
     {
         const auto isSame = [](Vec2 a, Vec2 b) { return length(a - b) < 1e-6; };
@@ -96,7 +97,7 @@ private:
         const Vec2 is = hit.otherWas.velocity;
         return m_ground.pair.asked
                && ((hit.left == Vec2{} && is == Vec2{}) || isSame(hit.left, was)
-                   || isSame(is, hit.came) || (isAlong(hit.left - hit.came) && isAlong(is - was)));
+                   || isSame(is, hit.came) || isAlong(is - was));
     }
 
     /// Whether the other of two circles, which no step has moved, went on in that of \p hit.

@@ -339,9 +339,12 @@ private:
                 : WallText::tr("The radius of circle %1 is %2 m, and at the %3 it turned when its "
                                "centre was between %4 and %5 m past the wall. It should turn when "
                                "its rim is there.");
+        const bool isPast =
+            hit.reached < 0.0 && hit.before < 0.0; // then the nearer one comes first
         return text.arg(hit.circle + 1)
-            .arg(brief(hit.radius), motion::wallName(hit.wall), brief(std::abs(hit.reached)),
-                 brief(std::abs(hit.before)));
+            .arg(brief(hit.radius), motion::wallName(hit.wall),
+                 brief(std::abs(isPast ? hit.before : hit.reached)),
+                 brief(std::abs(isPast ? hit.reached : hit.before)));
     }
 };
 
