@@ -18,6 +18,7 @@ class TestEncounterScenes : public QObject
 private slots:
     void encountersMeetInTheMiddle();
     void encountersComeFromAllSides();
+    void someAreExactlyLevelOrUpright();
     void encountersTakeTurnsInWhoCatchesUp();
     void someMeetAgainInFrontOfAWall();
     void restitutionsAndTimestepsAreMixed();
@@ -67,6 +68,25 @@ void TestEncounterScenes::encountersComeFromAllSides()
             (directionOf(c[1].body.position - c[0].body.position) + 180.0) / 45.0));
     }
     QVERIFY2(sectors.size() >= 7, qPrintable(QString::number(sectors.size())));
+}
+
+/// From all four sides, where they come head-on: one part of all differences is 0.
+void TestEncounterScenes::someAreExactlyLevelOrUpright()
+{
+    CheckSpec headOn = spec(QStringLiteral("encounters"));
+    headOn.scene.insert(QStringLiteral("offset"), 0.0);
+    for (qint64 seed = 1; seed <= 3; ++seed) {
+        std::set<std::pair<double, double>> sides;
+        for (const Variant &variant : makeVariants(odd(), headOn, seed)) {
+            const auto &c = variant.preset.circles;
+            const Vec2 d = c[1].body.position - c[0].body.position;
+            const Vec2 v = c[1].body.velocity - c[0].body.velocity;
+            if ((d.x == 0.0 && v.x == 0.0) || (d.y == 0.0 && v.y == 0.0))
+                sides.insert({d.x == 0.0 ? 0.0 : d.x / std::abs(d.x),
+                              d.y == 0.0 ? 0.0 : d.y / std::abs(d.y)});
+        }
+        QCOMPARE(sides.size(), std::size_t{4});
+    }
 }
 
 void TestEncounterScenes::encountersTakeTurnsInWhoCatchesUp()

@@ -19,6 +19,9 @@ private slots:
     void slowMeetingIsTold();
     void slowMeetingThatIsPutApartIsTold();
     void fastMeetingIsTold();
+    void speedOfOneInTheQuestionIsTold();
+    void wrongPartOfTheApproachIsTold_data();
+    void wrongPartOfTheApproachIsTold();
     void meetingThatIsNotFastEnoughIsTold();
     void placeIsNoPause();
     void slowReboundIsTold();
@@ -72,6 +75,47 @@ void TestToldClosingSpeeds::fastMeetingIsTold()
         said, "They came nearer with # m/s and ran into each other; with # m/s they are answered.");
     QVERIFY2(n.size() == 2, qPrintable(said));
     QVERIFY(n[0] > 3.0 && n[1] < 1.5);
+}
+
+/// Circles that stop each other, unless the first is fast.
+void TestToldClosingSpeeds::speedOfOneInTheQuestionIsTold()
+{
+    for (const char *one : {"p", "q"}) {
+        const QString said =
+            body("L42T9",
+                 {.touch = text("d:length() < reach and %1.velocity:length() < 3").arg(text(one)),
+                  .answer = text("p.velocity, q.velocity = vec(0, 0), vec(0, 0)")},
+                 text("Circles that come nearer fast are not answered"));
+        const auto n = numbersIn(said, "They came nearer with # m/s");
+        QVERIFY2(n.size() == 1 && n[0] > 3.0, qPrintable(said));
+    }
+}
+
+void TestToldClosingSpeeds::wrongPartOfTheApproachIsTold_data()
+{
+    QTest::addColumn<QString>("x");
+    QTest::addColumn<QString>("y");
+    QTest::newRow("sum in y") << "p.velocity.x - q.velocity.x"
+                              << "p.velocity.y + q.velocity.y";
+    QTest::newRow("x alone") << "p.velocity.x - q.velocity.x"
+                             << "0";
+    QTest::newRow("y alone") << "0"
+                             << "p.velocity.y - q.velocity.y";
+    QTest::newRow("minus") << "p.velocity.x - q.velocity.x"
+                           << "q.velocity.y - p.velocity.y";
+}
+
+/// Level or upright, where the other part is nothing, at the latest.
+void TestToldClosingSpeeds::wrongPartOfTheApproachIsTold()
+{
+    QFETCH(QString, x);
+    QFETCH(QString, y);
+    const QString said = body("L42T10",
+                              {.approach = text("(%1) * d.x + (%2) * d.y > 0").arg(x, y),
+                               .answer = text("p.velocity, q.velocity = q.velocity, p.velocity")},
+                              text("Some hits of the two circles are "));
+    const auto n = numbersIn(said, "Of 36 meetings tried, # were answered in time");
+    QVERIFY2(n.size() == 1 && n[0] < 36.0, qPrintable(said));
 }
 
 /// Only those that are faster than any in the checks are answered.

@@ -73,10 +73,16 @@ std::optional<LawDeviation> DividedMeetings::said(bool isKnown)
     return std::move(m_found.front());
 }
 
-/// Whether a wrong answer is to blame: few are missed, and nothing divides them.
+/// Whether a wrong answer is to blame: few are missed, nothing divides them, and some that are
+/// answered as they meet come out wrong.
 bool DividedMeetings::isHardlyMissed() const
 {
-    return !answersRightly() && 4 * m_missed.size() < m_answered.size();
+    const bool isAnswerRight = std::equal(
+        m_own.equals.begin(), m_own.equals.end(), m_right.equals.begin(), m_right.equals.end(),
+        [](const PairHit &a, const PairHit &b) {
+            return !a.isMet() || !b.isMet() || isSameAnswer(a.leftParts(), b.leftParts());
+        });
+    return !isAnswerRight && 4 * m_missed.size() < m_answered.size();
 }
 
 void DividedMeetings::tell()

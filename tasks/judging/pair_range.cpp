@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/pair_range.h"
 
+#include "tasks/runs/meeting_scene.h"
+
 #include <algorithm>
 
 namespace cradle {
@@ -218,8 +220,7 @@ Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h
     Preset preset = m_ground.stage();
     preset.timestep = h;
     preset.restitution = m.restitution;
-    const double angle = m.degrees * std::numbers::pi / 180.0;
-    const Vec2 n{std::cos(angle), std::sin(angle)};
+    const Vec2 n = fromAngle(m.degrees);
     const Vec2 t = perpendicular(n);
     Circle &a = preset.circles[0].body;
     Circle &b = preset.circles[1].body;

@@ -14,11 +14,12 @@ namespace cradle {
 /// other.
 inline constexpr double leastRestitution = 0.2;
 
-/// The unit vector \p degrees from the x axis.
+/// The unit vector \p degrees from the x axis; along an axis exactly so.
 [[nodiscard]] inline Vec2 fromAngle(double degrees)
 {
     const double a = degrees * std::numbers::pi / 180.0;
-    return {std::cos(a), std::sin(a)};
+    const auto exact = [](double part) { return std::abs(part) < 1e-15 ? 0.0 : part; };
+    return {exact(std::cos(a)), exact(std::sin(a))};
 }
 
 /// Throws circles 1 and 2 of \p preset so that they meet after half a second, with the line of

@@ -250,10 +250,20 @@ private:
         return e == 1.0 ? (i / all) % 2 == 0 : (i / all + i % all) % 4 == 0;
     }
 
+    /// Somewhere in the part of the angles that is scene \p i's; where that ends at an axis,
+    /// exactly there: a program may forget one of the two parts, and level or upright the other is
+    /// nothing.
+    double angleOf(int i)
+    {
+        const double drawn = spread(i + m_random.between(0.0, 1.0));
+        const double end = spread(i + 1.0);
+        return std::fmod(end, 90.0) == 0.0 ? std::fmod(end, 360.0) : drawn;
+    }
+
     void addEncounter(int i)
     {
         Preset preset = stage(i, 2);
-        const double degrees = spread(i + m_random.between(0.0, 1.0));
+        const double degrees = angleOf(i);
         placeEncounter(preset, m_spec, i, degrees, m_random);
         if (meetsAgain(i, preset.restitution)) {
             const double duration = placeAgain(preset, m_spec, m_random);
