@@ -134,6 +134,9 @@ protected:
     int m_i;
 };
 
+/// All that is wrong with the flight of one circle, worst first.
+[[nodiscard]] std::vector<FlightSaid> flightSaid(const FlightComparison &comparison);
+
 /// Whether velocity and place do not follow from those before, or not from the circle's own.
 [[nodiscard]] std::optional<FlightSaid> carriedSaid(const FlightComparison &comparison);
 
