@@ -101,4 +101,9 @@ protected:
 /// What walls make of a velocity that they should not.
 [[nodiscard]] std::vector<LawDeviation> answerDeviations(const WallComparison &walls);
 
+/// That hits put circles where they should not be, or a step too late.
+/// \param isElsewhere  walls turn circles at another place than the rim
+[[nodiscard]] std::vector<LawDeviation> putDeviations(const WallComparison &walls,
+                                                      bool isElsewhere);
+
 } // namespace cradle
