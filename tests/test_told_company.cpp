@@ -89,7 +89,7 @@ void TestToldCompany::contactFarApartIsNoFaultOfTheWalls()
     QFETCH(QString, touch);
     QFETCH(std::size_t, way);
     const bool isGlancing = step == QLatin1String("L42T11");
-    for (const std::size_t wall : {0, 1}) {
+    for (const std::size_t wall : {std::size_t{0}, std::size_t{1}}) {
         const QString program = written(
             {.start = isGlancing ? QStringLiteral("circle1.position, circle1.velocity = "
                                                   "vec(-2, 2.3), vec(2, 0) circle2.position, "
