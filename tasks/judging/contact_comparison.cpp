@@ -48,6 +48,14 @@ bool ContactComparison::isDirectionWrong() const
            && arePushedAlong(m_right);
 }
 
+double ContactComparison::fastestThrown() const
+{
+    double fastest = 0.0;
+    for (const PairHit &thrown : m_own.contacts)
+        fastest = std::max(fastest, thrown.slowness * thrown.meeting.closing());
+    return fastest;
+}
+
 PairHit ContactComparison::whereTheyTouch(PairHit hit)
 {
     const Preset &preset = hit.stage.preset;

@@ -32,6 +32,8 @@ protected:
     {
         return h.isMet() && h.fits(h.meeting.sum());
     }
+    /// How fast those that are thrown come nearer at most, m/s.
+    [[nodiscard]] double fastestThrown() const;
     /// \p hit, which no step answered, at about the step in which it should be.
     [[nodiscard]] static PairHit whereTheyTouch(PairHit hit);
 
@@ -73,6 +75,11 @@ private:
 /// How they came, where, and what circles they are, as far as a step varies that.
 [[nodiscard]] QString describeMeeting(const PairHit &hit, const Ground &ground,
                                       const std::optional<MeetingDivision> &division);
+
+/// That none is answered in time where some should be, or places or circles that part are.
+/// \return nothing where meetings are answered as such, no deviation where that is all
+[[nodiscard]] std::optional<std::vector<LawDeviation>>
+noneAnswered(const MeasuredPair &own, const MeasuredPair &right, const Ground &ground);
 
 /// That they answer at another distance than that of rims which touch.
 [[nodiscard]] std::vector<LawDeviation>

@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judging/rebound_reading.h"
+#include "tasks/judging/rebound_laws.h"
 #include "tasks/judging/response_law_words.h"
 #include "tasks/judging/response_reading.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace cradle {
 
 namespace {
-
-struct ReboundText {
-    Q_DECLARE_TR_FUNCTIONS(Findings)
-};
 
 constexpr double blur = reboundBlur;
 
@@ -102,7 +96,7 @@ private:
             return;
         if (one != two) {
             const int circle = one ? 0 : 1;
-            if (isWhole(circle)) {
+            if (isTimesE(circle, m_own, m_right)) {
                 add(ReboundText::tr("e multiplies the whole velocity of circle %1 after the hit")
                         .arg(circle + 1),
                     ReboundText::tr("e belongs to the rebound along the line of centres alone."));
@@ -123,28 +117,6 @@ private:
         }
         add(ReboundText::tr("e also shortens the parts across the line of centres"),
             ReboundText::tr("Nothing pushes there: they stay as they were."));
-    }
-
-    /// Whether the part along the line of centres of a circle, from 0, is e times that of an
-    /// elastic hit, or e times that which is right.
-    [[nodiscard]] bool isWhole(int circle) const
-    {
-        const auto partOf = [circle](const PairVelocities &v) {
-            return circle == 0 ? v.along1 : v.along2;
-        };
-        bool isOfElastic = true;
-        bool isOfRight = true;
-        for (std::size_t i = 0; i < m_own.rebounds.size(); ++i) {
-            const PairHit &hit = m_own.rebounds[i];
-            const double e = hit.meeting.restitution;
-            const PairVelocities in = hit.cameParts();
-            const double left = partOf(hit.leftParts());
-            const double elastic = circle == 0 ? in.along2 : in.along1;
-            const double right = partOf(m_right.rebounds[i].leftParts());
-            isOfElastic = isOfElastic && std::abs(left - e * elastic) < blur;
-            isOfRight = isOfRight && std::abs(left - e * right) < blur;
-        }
-        return isOfElastic || isOfRight;
     }
 
     void findAlong()
@@ -172,8 +144,8 @@ private:
     bool findWholePart()
     {
         const auto same = [](double e) { return e; };
-        const bool one = isWhole(0);
-        const bool two = isWhole(1);
+        const bool one = isTimesE(0, m_own, m_right);
+        const bool two = isTimesE(1, m_own, m_right);
         if (!m_isElastic || (!one && !two) || (!one && !followEach(m_all, &Rebound::first, same))
             || (!two && !followEach(m_all, &Rebound::second, same)))
             return false;
@@ -187,29 +159,8 @@ private:
 
     bool findFactor()
     {
-        struct Law {
-            double (*rebound)(double e);
-            QString headline;
-        };
-        const std::vector<Law> laws{
-            {[](double) { return 1.0; }, ReboundText::tr("e changes nothing in the hits tried")},
-            {[](double e) { return e * e; },
-             ReboundText::tr("e is squared in the hit of two circles")},
-            {[](double e) { return std::sqrt(e); },
-             ReboundText::tr("The root of e is used in the hit of two circles")},
-            {[](double e) { return 1.0 - e; },
-             ReboundText::tr("e works the wrong way round: the factor is 2 − e, not 1 + e")},
-            {[](double e) { return 2.0 * e - 1.0; },
-             ReboundText::tr("The push is multiplied by 2 e instead of 1 + e")},
-            {[](double e) { return e - 1.0; },
-             ReboundText::tr("The push is multiplied by e instead of 1 + e")},
-            {[](double e) { return e * (1.0 + e) - 1.0; },
-             ReboundText::tr("The push is multiplied by e (1 + e) instead of 1 + e")},
-            {[](double e) { return 1.0 / e; }, ReboundText::tr("The rebound is divided by e")},
-            {[](double e) { return -e; },
-             ReboundText::tr("The sign of e is wrong in the hit of two circles")}};
         const auto same = [](double e) { return e; };
-        for (const Law &law : laws) {
+        for (const FactorLaw &law : factorLaws()) {
             const bool one = isLaw(law.rebound, same);
             const bool two = isLaw(same, law.rebound);
             if (!one && !two && !isLaw(law.rebound, law.rebound))
@@ -234,17 +185,7 @@ private:
         const auto push = lineOfPush(m_own, m_all, m_elastic);
         if (!push)
             return false;
-        const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
-        const QString perE = number(std::abs(push->perE));
-        QString headline =
-            push->perE > 0.0
-                ? ReboundText::tr("The push is multiplied by %1 + %2 e instead of 1 + e")
-                : ReboundText::tr("The push is multiplied by %1 − %2 e instead of 1 + e");
-        if (perE == QLatin1String("1"))
-            headline.replace(QStringLiteral("%2 e"), QStringLiteral("e"));
-        else
-            headline = headline.arg(QStringLiteral("%1"), perE);
-        add(headline.arg(number(push->without)));
+        add(pushHeadline(*push));
         m_reading.explainsElastic = !m_isElastic;
         return true;
     }
