@@ -40,7 +40,7 @@ private:
     [[nodiscard]] QString countOf(const Kinds &hits,
                                   const std::optional<MeetingDivision> &division) const;
     void limit(const Kinds &hits);
-    static void limit(LawDeviation &found, const QString &text);
+    static void limitTo(LawDeviation &found, const QString &text);
     void judge();
     void judgeAllWrong(const Kinds &hits);
     [[nodiscard]] bool isWrongWith(double restitution) const;

@@ -25,12 +25,12 @@ bool areRightOfEquals(const std::vector<JudgedMeeting> &hits)
 /// Tells of what was found in how many of \p hits it is, where it is not in all.
 void HitKinds::limit(const Kinds &hits)
 {
-    limit(m_said.deviations.front(), isOfMost(hits) ? ConditionText::tr("%1 (in most hits)")
-                                                    : ConditionText::tr("%1 (in some hits)"));
+    limitTo(m_said.deviations.front(), isOfMost(hits) ? ConditionText::tr("%1 (in most hits)")
+                                                      : ConditionText::tr("%1 (in some hits)"));
 }
 
 /// \param text  with a place for the headline
-void HitKinds::limit(LawDeviation &found, const QString &text)
+void HitKinds::limitTo(LawDeviation &found, const QString &text)
 {
     const qsizetype end = found.message.indexOf(QLatin1Char('\n'));
     found.message = text.arg(found.message.left(end)) + found.message.mid(end);

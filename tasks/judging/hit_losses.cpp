@@ -99,8 +99,8 @@ void HitKinds::limitRestitution(const Kinds &hits)
         return;
     for (LawDeviation &one : m_said.deviations) {
         if (isOfRestitution(one))
-            limit(one, isOfEqual ? ConditionText::tr("%1 (equal circles)")
-                                 : ConditionText::tr("%1 (in some hits)"));
+            limitTo(one, isOfEqual ? ConditionText::tr("%1 (equal circles)")
+                                   : ConditionText::tr("%1 (in some hits)"));
     }
 }
 
@@ -136,7 +136,7 @@ void HitKinds::limitToE(bool isOfMasses)
     const QString e = brief(m_own.pair().equals.front().meeting.restitution);
     for (LawDeviation &one : m_said.deviations) {
         if (!one.isOfSome && !isOfRestitution(one))
-            limit(one, ConditionText::tr("%1 (with e = %2)").arg(QStringLiteral("%1"), e));
+            limitTo(one, ConditionText::tr("%1 (with e = %2)").arg(QStringLiteral("%1"), e));
     }
 }
 

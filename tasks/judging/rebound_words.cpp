@@ -10,7 +10,7 @@ namespace cradle {
 
 namespace {
 
-constexpr double blur = reboundBlur;
+constexpr auto eItself = [](double e) { return e; }; ///< what is right
 
 /// Reads what e does from hits with several of its values.
 class ReboundJudge
@@ -88,10 +88,9 @@ private:
 
     void findAcross()
     {
-        const auto same = [](double e) { return e; };
         const auto kept = [](double) { return 1.0; };
-        const bool one = followEach(m_all, &Rebound::across1, same);
-        const bool two = followEach(m_all, &Rebound::across2, same);
+        const bool one = followEach(m_all, &Rebound::across1, eItself);
+        const bool two = followEach(m_all, &Rebound::across2, eItself);
         if (!m_isElastic || (!one && !two))
             return;
         if (one != two) {
@@ -100,7 +99,7 @@ private:
                 add(ReboundText::tr("e multiplies the whole velocity of circle %1 after the hit")
                         .arg(circle + 1),
                     ReboundText::tr("e belongs to the rebound along the line of centres alone."));
-                m_isDone = followEach(m_all, one ? &Rebound::second : &Rebound::first, same);
+                m_isDone = followEach(m_all, one ? &Rebound::second : &Rebound::first, eItself);
             } else if (followEach(m_all, one ? &Rebound::across2 : &Rebound::across1, kept))
                 add(ReboundText::tr("e also shortens the part of circle %1 across the line of "
                                     "centres")
@@ -108,7 +107,7 @@ private:
                     ReboundText::tr("Nothing pushes there: it stays as it was."));
             return;
         }
-        if (followEach(m_all, &Rebound::sum, same)) {
+        if (followEach(m_all, &Rebound::sum, eItself)) {
             add(ReboundText::tr("e multiplies the whole velocities after the hit"),
                 ReboundText::tr("e belongs to the rebound along the line of centres alone; the "
                                 "total momentum stays."));
@@ -121,9 +120,8 @@ private:
 
     void findAlong()
     {
-        const auto same = [](double e) { return e; };
         const auto one = [](double) { return 1.0; };
-        if (isLaw(same, same))
+        if (isLaw(eItself, eItself))
             return;
         // A fault across must not choose a hit at which the parts along come out right.
         m_shown = mostWrong([](const PairHit &own, const PairHit &right) {
@@ -131,9 +129,9 @@ private:
             const PairVelocities b = right.leftParts();
             return std::abs(a.along1 - b.along1) + std::abs(a.along2 - b.along2);
         });
-        if (isLaw(same, one))
+        if (isLaw(eItself, one))
             return add(ReboundText::tr("Along the normal only circle 1 feels e"));
-        if (isLaw(one, same))
+        if (isLaw(one, eItself))
             return add(ReboundText::tr("Along the normal only circle 2 feels e"));
         if (findWholePart() || findFactor())
             return;
@@ -143,11 +141,10 @@ private:
     /// The new part along the line of centres is multiplied by e, with what both have in common.
     bool findWholePart()
     {
-        const auto same = [](double e) { return e; };
         const bool one = isTimesE(0, m_own, m_right);
         const bool two = isTimesE(1, m_own, m_right);
-        if (!m_isElastic || (!one && !two) || (!one && !followEach(m_all, &Rebound::first, same))
-            || (!two && !followEach(m_all, &Rebound::second, same)))
+        if (!m_isElastic || (!one && !two) || (!one && !followEach(m_all, &Rebound::first, eItself))
+            || (!two && !followEach(m_all, &Rebound::second, eItself)))
             return false;
         add(one && two
                 ? ReboundText::tr("e multiplies both whole new parts")
@@ -159,10 +156,9 @@ private:
 
     bool findFactor()
     {
-        const auto same = [](double e) { return e; };
         for (const FactorLaw &law : factorLaws()) {
-            const bool one = isLaw(law.rebound, same);
-            const bool two = isLaw(same, law.rebound);
+            const bool one = isLaw(law.rebound, eItself);
+            const bool two = isLaw(eItself, law.rebound);
             if (!one && !two && !isLaw(law.rebound, law.rebound))
                 continue;
             if (one != two && !isOfMasses(law.rebound, one ? 1 : 2, m_own, m_right)) {
@@ -201,7 +197,7 @@ private:
         if (m_own.twice && !m_right.twice)
             return;
         const bool isRebound = std::all_of(m_all.begin(), m_all.end(), [](const Rebound &r) {
-            return std::abs(0.5 * (r.first + r.second) - r.e) < blur;
+            return std::abs(0.5 * (r.first + r.second) - r.e) < reboundBlur;
         });
         if (isRebound)
             add(ReboundText::tr("e acts on more than the rebound"),
@@ -216,7 +212,7 @@ private:
     {
         QStringList all;
         for (const Rebound &r : m_all) {
-            if (std::abs(r.first - r.e) < blur && std::abs(r.second - r.e) < blur)
+            if (std::abs(r.first - r.e) < reboundBlur && std::abs(r.second - r.e) < reboundBlur)
                 all.append(brief(r.e));
         }
         return all.isEmpty() ? QString()
@@ -230,9 +226,9 @@ private:
         const auto none = [](double) { return -1.0; };
         return followEach(m_elastic, &Rebound::first, none)
                && followEach(m_elastic, &Rebound::second, none)
-               && m_all[m_shown].first < -5.0 * blur
+               && m_all[m_shown].first < -5.0 * reboundBlur
                && std::all_of(m_all.begin(), m_all.end(), [](const Rebound &r) {
-                      return r.first < blur && std::abs(r.first - r.second) < blur;
+                      return r.first < reboundBlur && std::abs(r.first - r.second) < reboundBlur;
                   });
     }
 
@@ -254,22 +250,23 @@ private:
             return;
         }
         const auto number = [](double value) { return brief(std::round(value * 100.0) / 100.0); };
-        if (std::abs(first - second) < blur) {
+        if (std::abs(first - second) < reboundBlur) {
             // A law without any rebound is one of its own.
-            if (!isNear && std::abs(first) < blur)
+            if (!isNear && std::abs(first) < reboundBlur)
                 return;
-            if (isNear || first < -blur)
+            if (isNear || first < -reboundBlur)
                 add(ReboundText::tr("After a hit the circles still run into each other"));
-            else if (first > 1.0 + blur)
+            else if (first > 1.0 + reboundBlur)
                 add(ReboundText::tr("After a hit the circles part faster than they met"));
             else if (m_own.own && m_own.own->isMet()
-                     && std::abs(m_own.own->rebound() - first) > 3.0 * blur)
+                     && std::abs(m_own.own->rebound() - first) > 3.0 * reboundBlur)
                 addOdd();
             else
                 add(ReboundText::tr("A number stands for e in the hit of two circles"),
                     ReboundText::tr("With every e tried the rebound is that of e = %1.")
                         .arg(number(first)));
-        } else if (std::min(first, second) < -blur || std::max(first, second) > 1.0 + blur) {
+        } else if (std::min(first, second) < -reboundBlur
+                   || std::max(first, second) > 1.0 + reboundBlur) {
             // No e is like that: something else is wrong with the push.
             addOdd();
         } else {
