@@ -143,7 +143,7 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "local u, w = p.velocity:dot(n), q.velocity:dot(n) "
         "p.velocity = p.velocity + (m2 * w / m1 - u) * n "
         "q.velocity = q.velocity + (m1 * u / m2 - w) * n",
-        "Equal circles answer rightly, no unequal ones tried do");
+        "The momenta along the line of centres change hands");
     row("places alone, too early in the lab", "L42T8",
         "local deep = reach - d:length() "
         "p.position, q.position = p.position - deep / 2 * n, q.position + deep / 2 * n",
