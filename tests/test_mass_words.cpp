@@ -18,6 +18,7 @@ private slots:
     void powersAreTold();
     void largerOneAnswersAsTheLighter();
     void besideOtherFaultsOnlyClearPowersAreTold();
+    void sharesThatNoMassesMakeAreTold();
     void numbersInPlaceOfMassesAreTold_data();
     void numbersInPlaceOfMassesAreTold();
     void oneCircleAloneTells_data();
@@ -118,6 +119,36 @@ void TestMassWords::besideOtherFaultsOnlyClearPowersAreTold()
         QVERIFY(!massDeviations(pairOfPowers(p, 1.0), ofBalls(), true).empty());
         QCOMPARE(!massDeviations(pairOfPowers(3.0, p), ofBalls(), false).empty(), isTold);
     }
+}
+
+/// m₂/m₁ and m₁/m₂ for the shares of the two: the pushes are as those of masses that grow with r⁶,
+/// but together they are no share of what parts the circles.
+void TestMassWords::sharesThatNoMassesMakeAreTold()
+{
+    MeasuredPair own = pairOfPowers(6.0, 2.0);
+    const auto lengthen = [](PairHit &hit, double factor) {
+        hit.left1 = hit.came1 + factor * hit.push1();
+        hit.left2 = hit.came2 + factor * hit.push2();
+    };
+    const double ratio = std::pow(0.35 / 0.2, 3.0);
+    lengthen(own.radii[0], (ratio + 1.0 / ratio) / 2.0);
+    const auto found = massDeviations(own, ofBalls(), true);
+    QCOMPARE(headlinesOf(found),
+             QStringList(utf8("The shares of the two circles do not add up to 1")));
+    // Closing speed 1.5 m/s: m₂/m₁ = 5.36 and 0.187 times it.
+    QVERIFY2(found.front().message.contains(
+                 utf8("Circle 1 changed its velocity by 8.04 m/s and circle 2 by 0.28, together "
+                      "8.32 m/s; (1 + e) u = 3 m/s is right.")),
+             qPrintable(found.front().message));
+    // Where equal circles are pushed wrongly by the same factor, masses may still be told.
+    QVERIFY(massDeviations(own, ofBalls(), false).empty());
+    MeasuredPair stronger = pairOfPowers(2.0, 1.0);
+    for (auto *hits : {&stronger.equals, &stronger.radii, &stronger.densities}) {
+        for (PairHit &hit : *hits)
+            lengthen(hit, 1.1);
+    }
+    QCOMPARE(headlinesOf(massDeviations(stronger, ofBalls(), false)),
+             QStringList(utf8("The mass grows with r to the power of 2, not 3")));
 }
 
 void TestMassWords::numbersInPlaceOfMassesAreTold_data()

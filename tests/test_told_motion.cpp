@@ -20,6 +20,7 @@ private slots:
     void crossedWayIsTold_data();
     void crossedWayIsTold();
     void aTimestepThatIsRightIsTold();
+    void aVelocityThatIsOddIsNoWay();
     void stepsFromTheStartAreTold();
     void aRightFirstStepIsNotBlamed();
     void aFirstStepOfItsOwnIsTold();
@@ -124,6 +125,17 @@ void TestToldMotion::aTimestepThatIsRightIsTold()
     QCOMPARE(n.size(), std::size_t{8});
     QVERIFY(n[2] < 60.0 && n[7] >= 60.0);
     QVERIFY(isNear(Vec2{n[3], n[4]}, Vec2{n[0], n[1]} / 60.0));
+}
+
+/// What lays slow circles to rest stops one that starts at rest with short timesteps alone.
+void TestToldMotion::aVelocityThatIsOddIsNoWay()
+{
+    const LawProgram sleeper{
+        .move = QStringLiteral("c.velocity = c.velocity + gravity * h "
+                               "if c.velocity:length() < 0.1 then c.velocity = vec(0, 0) end "
+                               "c.position = c.position + c.velocity * h")};
+    const QString all = bodyOfProgram("L42T17", written(sleeper, structures[0]));
+    QVERIFY2(!all.isEmpty() && !all.contains(QString::fromUtf8("v Δt")), qPrintable(all));
 }
 
 /// The old place is kept once: from then on no step adds to the one before.

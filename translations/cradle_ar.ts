@@ -2487,6 +2487,18 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>الكتلتان لا تتبعان الكثافتين</translation>
     </message>
     <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %5) they came nearer with u = %6 m/s along the line of centres.</source>
+        <translation>مع ⁦r₁ = %1⁩ و⁦r₂ = %2 m⁩ و⁦ρ₁ = %3⁩ و⁦ρ₂ = %4⁩ (⁦e = %5⁩) كانتا تتقاربان بسرعة ⁦u = %6 m/s⁩ على خط المركزين.</translation>
+    </message>
+    <message>
+        <source>Circle 1 changed its velocity by %1 m/s and circle 2 by %2, together %3 m/s; (1 + e) u = %4 m/s is right. However heavy they are, the share of circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).</source>
+        <translation>غيّرت الدائرة 1 سرعتها بمقدار ⁦%1 m/s⁩ والدائرة 2 بمقدار ⁨%2⁩، ومعًا ⁦%3 m/s⁩؛ الصواب ⁦(1 + e) u = %4 m/s⁩. ومهما كان ثقلهما فنصيب الدائرة 1 هو ⁦m₂/(m₁ + m₂)⁩ ونصيب الدائرة 2 هو ⁦m₁/(m₁ + m₂)⁩.</translation>
+    </message>
+    <message>
+        <source>The shares of the two circles do not add up to 1</source>
+        <translation>لا يساوي مجموع نصيبي الدائرتين 1</translation>
+    </message>
+    <message>
         <source>Mass is density times volume, for each circle its own.</source>
         <translation>الكتلة هي الكثافة مضروبةً في الحجم، لكل دائرة بكثافتها وحجمها.</translation>
     </message>

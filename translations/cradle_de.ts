@@ -2787,6 +2787,18 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Massen folgen den Dichten nicht</translation>
     </message>
     <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %5) they came nearer with u = %6 m/s along the line of centres.</source>
+        <translation>Mit r₁ = %1 und r₂ = %2 m, ρ₁ = %3 und ρ₂ = %4 (e = %5) kamen sie sich längs der Verbindungslinie der Mittelpunkte mit u = %6 m/s näher.</translation>
+    </message>
+    <message>
+        <source>Circle 1 changed its velocity by %1 m/s and circle 2 by %2, together %3 m/s; (1 + e) u = %4 m/s is right. However heavy they are, the share of circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).</source>
+        <translation>Kreis 1 änderte seine Geschwindigkeit um %1 m/s und Kreis 2 um %2, zusammen %3 m/s; richtig ist (1 + e) u = %4 m/s. Wie schwer sie auch sind, der Anteil von Kreis 1 ist m₂/(m₁ + m₂) und der von Kreis 2 m₁/(m₁ + m₂).</translation>
+    </message>
+    <message>
+        <source>The shares of the two circles do not add up to 1</source>
+        <translation>Die Anteile der beiden Kreise ergeben zusammen nicht 1</translation>
+    </message>
+    <message>
         <source>Mass is density times volume, for each circle its own.</source>
         <translation>Masse ist Dichte mal Volumen, für jeden Kreis die eigene.</translation>
     </message>

@@ -2463,6 +2463,18 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Les masses ne suivent pas les masses volumiques</translation>
     </message>
     <message>
+        <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4 (e = %5) they came nearer with u = %6 m/s along the line of centres.</source>
+        <translation>Avec r₁ = %1 et r₂ = %2 m, ρ₁ = %3 et ρ₂ = %4 (e = %5), ils se rapprochaient avec u = %6 m/s suivant la ligne des centres.</translation>
+    </message>
+    <message>
+        <source>Circle 1 changed its velocity by %1 m/s and circle 2 by %2, together %3 m/s; (1 + e) u = %4 m/s is right. However heavy they are, the share of circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).</source>
+        <translation>Le cercle 1 a changé sa vitesse de %1 m/s et le cercle 2 de %2, ensemble %3 m/s&#xa0;; (1 + e) u = %4 m/s est juste. Quelles que soient leurs masses, la part du cercle 1 est m₂/(m₁ + m₂) et celle du cercle 2 m₁/(m₁ + m₂).</translation>
+    </message>
+    <message>
+        <source>The shares of the two circles do not add up to 1</source>
+        <translation>Les parts des deux cercles n&apos;ont pas 1 pour somme</translation>
+    </message>
+    <message>
         <source>Mass is density times volume, for each circle its own.</source>
         <translation>La masse est le produit de la masse volumique par le volume, pour chaque cercle les siens.</translation>
     </message>

@@ -132,73 +132,6 @@ struct MassTeller {
     }
 };
 
-/// m₂/m₁ in a hit of two equal circles among \p hits.
-std::optional<double> equalRatioOf(const std::vector<PairHit> &hits)
-{
-    for (const PairHit &hit : hits) {
-        const Meeting &m = hit.meeting;
-        if (m.radius1 == m.radius2 && m.density1 == m.density2)
-            return massRatio(hit);
-    }
-    return std::nullopt;
-}
-
-/// A hit in which circle 2 is another number of times as heavy; null if there is none.
-const PairHit *otherRatioIn(const std::vector<PairHit> &hits, double ratio)
-{
-    const auto found = std::find_if(hits.begin(), hits.end(), [&](const PairHit &hit) {
-        const auto heavy = massRatio(hit);
-        return heavy && std::abs(*heavy / ratio - 1.0) > 3.0 * ratioBlur;
-    });
-    return found == hits.end() ? nullptr : &*found;
-}
-
-/// That the masses are numbers, or are worked out in two ways; nothing if they are of the circles.
-std::optional<LawDeviation> numberedMasses(const MeasuredPair &own)
-{
-    const auto ratio = fixedMassRatio(own);
-    if (!ratio)
-        return std::nullopt;
-    const auto say = [&](const QString &headline, const QString &body) {
-        LawDeviation found = responseDeviation(headline, body, own.equals.front(), Suspect::Masses);
-        found.isOfSome = true;
-        return found;
-    };
-    const QString twoWays = ResponseText::tr("The two masses are not worked out in the same way");
-    if (const auto other = equalRatioOf(own.densities);
-        other && std::abs(*other / *ratio - 1.0) > ratioBlur)
-        return say(twoWays,
-                   ResponseText::tr(
-                       "Two circles of the same radius and density answer as if circle 2 were "
-                       "%1 times as heavy as circle 1, and with another density that both have "
-                       "%2 times. Compare the lines for the two masses.")
-                       .arg(brief(*ratio), brief(*other)));
-    // Numbers are the same whatever the radii are.
-    if (const PairHit *other = otherRatioIn(own.radii, *ratio))
-        return say(twoWays,
-                   ResponseText::tr(
-                       "Two circles of the same radius and density answer as if circle 2 were "
-                       "%1 times as heavy as circle 1, and with r₁ = %2 and r₂ = %3 m as if it "
-                       "were %4 times. Compare the lines for the two masses.")
-                       .arg(brief(*ratio), brief(other->meeting.radius1),
-                            brief(other->meeting.radius2), brief(massRatio(*other).value_or(0.0))));
-    if (const PairHit *other = otherRatioIn(own.densities, *ratio))
-        return say(twoWays,
-                   ResponseText::tr(
-                       "Two circles of the same radius and density answer as if circle 2 were "
-                       "%1 times as heavy as circle 1, and with ρ₁ = %2 and ρ₂ = %3 as if it "
-                       "were %4 times. Compare the lines for the two masses.")
-                       .arg(brief(*ratio), brief(other->meeting.density1),
-                            brief(other->meeting.density2),
-                            brief(massRatio(*other).value_or(0.0))));
-    return say(
-        ResponseText::tr("The two masses have the same ratio in all hits tried"),
-        ResponseText::tr("Of whatever size and density the two are, they answer as if circle 2 "
-                         "were %1 times as heavy as circle 1. Work each mass out from the `radius` "
-                         "and `density` of its own circle, which other scenes change.")
-            .arg(brief(*ratio)));
-}
-
 bool isOff(std::optional<double> a, std::optional<double> b)
 {
     return a && b && std::abs(*a - *b) > 3.0 * ratioBlur;
@@ -274,6 +207,13 @@ std::vector<LawDeviation> massDeviations(const MeasuredPair &own, const Measured
     const MassTeller tell{own, right};
     const MassExponents p(own);
     const MassExponents good(right);
+    if (const PairHit *hit = unsharedHit(own)) {
+        if (areEqualsRight)
+            return {unsharedDeviation(*hit)};
+        // Quotients of the masses for their shares look like masses that are squared.
+        if (good.radius && is(p.radius, 2.0 * *good.radius))
+            return {};
+    }
     if (isOff(p.radius, good.radius) && is(p.radius, 0.0) && (!good.density || is(p.density, 0.0)))
         return {tell.say(
             ResponseText::tr("Both velocities change equally much, whatever the masses are"),

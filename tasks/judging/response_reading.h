@@ -78,6 +78,16 @@ struct MassExponents {
 [[nodiscard]] std::optional<LawDeviation> unevenDeviation(const MeasuredPair &own,
                                                           const MeasuredPair &right);
 
+/// That the masses are numbers, or are worked out in two ways; nothing if they are of the circles.
+[[nodiscard]] std::optional<LawDeviation> numberedMasses(const MeasuredPair &own);
+
+/// A hit of two circles that are not alike in which |Δv₁| + |Δv₂| along the line of centres is
+/// another part of (1 + e) u than where they are, with the same e; null if there is none. No masses
+/// make it: their shares, m₂/(m₁ + m₂) and m₁/(m₁ + m₂), add up to 1.
+[[nodiscard]] const PairHit *unsharedHit(const MeasuredPair &own);
+/// That this is so, where it is right for circles that are alike.
+[[nodiscard]] LawDeviation unsharedDeviation(const PairHit &hit);
+
 /// In what the masses of \p own are not those of \p right.
 /// \param areEqualsRight  hits of equal circles are: else only clear powers are told
 [[nodiscard]] std::vector<LawDeviation>

@@ -78,7 +78,7 @@ public:
         const auto isOfNew = [&](const Steps &s) {
             return isClose(way(s), m_h * s.after[m_i].velocity);
         };
-        flight.isWayOfNew = isOfNew(m_rest) && isOfNew(m_first) && isOfNew(m_second);
+        flight.isWayOfNew = isOfNew(m_first) && isOfNew(m_second);
         return flight;
     }
 

@@ -21,10 +21,11 @@ public:
 
     [[nodiscard]] std::optional<FlightSaid> way() const
     {
-        if (!flight(0).isWayLinear && !hasPull() && right().isWayLinear) {
-            if (flight(0).isWayOfNew)
-                return std::nullopt; // what is odd is the velocity
-            return oddWay();
+        if (!hasPull() && right().isWayLinear) {
+            if (isVelocityOdd())
+                return std::nullopt;
+            if (!flight(0).isWayLinear)
+                return oddWay();
         }
         const auto partX = [](const Flight &f) { return f.way.x; };
         const auto partY = [](const Flight &f) { return f.way.y; };
@@ -95,6 +96,17 @@ public:
     }
 
 private:
+    /// Whether with some timestep the way is no share of the velocity before the step, but that of
+    /// the one after it, which is odd.
+    [[nodiscard]] bool isVelocityOdd() const
+    {
+        for (std::size_t at = 0; at < m_ground.timesteps.size(); ++at) {
+            if (!flight(at).isWayLinear && flight(at).isWayOfNew)
+                return true;
+        }
+        return false;
+    }
+
     /// Of a part of the position of which the velocity has no share, where it goes so far, m.
     static QString withoutVelocity(bool isX, double way)
     {
