@@ -29,7 +29,7 @@ private:
 
 namespace {
 
-constexpr int honest = 40 / oneOf(4);
+constexpr int honest = 40 / cradle::oneOf(4);
 
 QString honestName(int i)
 {
