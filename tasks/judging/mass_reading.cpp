@@ -11,6 +11,14 @@ namespace {
 
 constexpr double antiparallel = 0.02; ///< of the directions of two pushes
 
+/// Whether two masses may have it: who gets all or nothing is not a million times as light or
+/// heavy.
+bool isShare(double share)
+{
+    constexpr double least = 1e-6;
+    return share > least && share < 1.0 - least;
+}
+
 /// The exponent in mass ∝ q^p that all \p hits agree in; \p ratio gives q₂ / q₁.
 template <class Ratio>
 std::optional<double> exponentOf(const std::vector<PairHit> &hits, std::optional<int> circle,
@@ -63,8 +71,7 @@ std::optional<double> massRatio(const PairHit &hit)
         const double u = dot(hit.came1 - hit.came2, n);
         const double share = std::max(p1, p2) / ((1.0 + hit.meeting.restitution) * u);
         const double heavy = share / (1.0 - share);
-        return share > 0.0 && share < 1.0 ? std::optional(p1 > p2 ? heavy : 1.0 / heavy)
-                                          : std::nullopt;
+        return isShare(share) ? std::optional(p1 > p2 ? heavy : 1.0 / heavy) : std::nullopt;
     }
     const Vec2 sum = hit.push1() / p1 + hit.push2() / p2;
     return length(sum) < antiparallel ? std::optional(p1 / p2) : std::nullopt;
@@ -78,7 +85,7 @@ std::optional<double> massRatioFor(const PairHit &hit, int circle)
     const PairVelocities out = hit.leftParts();
     const double push = circle == 0 ? in.along1 - out.along1 : out.along2 - in.along2;
     const double share = push / ((1.0 + hit.meeting.restitution) * (in.along1 - in.along2));
-    if (share <= 0.0 || share >= 1.0)
+    if (!isShare(share))
         return std::nullopt;
     return circle == 0 ? share / (1.0 - share) : (1.0 - share) / share;
 }

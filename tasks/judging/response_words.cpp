@@ -93,8 +93,8 @@ private:
         const auto isPower = [](double q) {
             return std::abs(q) > 0.4 && std::abs(2.0 * q - std::round(2.0 * q)) < 0.04;
         };
-        return m_equal.isRight && !m_equal.law && rebound.deviations.empty() && p.radius
-               && isPower(*p.radius)
+        return m_equal.isRight && !m_equal.law && rebound.deviations.empty() && !unsharedHit(m_own)
+               && p.radius && isPower(*p.radius)
                && (m_own.densities.empty() || (p.density && isPower(*p.density)));
     }
 
