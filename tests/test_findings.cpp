@@ -146,6 +146,18 @@ void TestFindings::oneFaultIsToldOnce_data()
             f.walls += lab(" if c.index == 2 then c.velocity = kept end");
             f.answer += lab(" circle2.velocity = kept");
         });
+    row("L42T12", "velocity kept in an own variable", "Circle 1 does not move as its velocity says",
+        [](OtherForm &f) {
+            f.start += lab(" own = {}");
+            f.integrate = lab("own[c.index] = own[c.index] or c.velocity "
+                              "c.position = c.position + own[c.index] * h");
+            f.walls = lab("local room = square.half_width - c.radius local v = own[c.index] "
+                          "if math.abs(c.position.x) > room and v.x * c.position.x > 0 then "
+                          "own[c.index] = vec(-v.x, v.y) end "
+                          "if math.abs(c.position.y) > room and v.y * c.position.y > 0 then "
+                          "own[c.index] = vec(v.x, -v.y) end");
+            f.answer = QString();
+        });
     // What a hit makes of it there is no fault of the walls.
     row("L42T10", "place of the other circle",
         "Every step moves circle 1 on from where circle 2 is", [](OtherForm &f) {

@@ -3271,6 +3271,18 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
 In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er an eine Wand und an einen anderen Kreis kommt. Beides muss ihm eine neue Geschwindigkeit geben: Suche, wo diese zugewiesen wird.</translation>
     </message>
     <message>
+        <source>Circle %1 does not move as its velocity says
+
+At %2 s of your own scene it moves by %3 m in a step of %4 s, against its velocity, which is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
+
+Through this, walls and hits cannot be judged yet.</source>
+        <translation>Kreis %1 bewegt sich anders, als seine Geschwindigkeit sagt
+
+Bei %2 s deiner eigenen Szene bewegt er sich in einem Schritt von %4 s um %3 m, gegen seine Geschwindigkeit, die noch die %5 m/s vom Start ist. Ein Programm, das Geschwindigkeiten in eigenen Variablen hält, muss sie auch den Kreisen zuweisen, etwa `circle%1.velocity`.
+
+Dadurch lassen sich Wände und Stöße noch nicht beurteilen.</translation>
+    </message>
+    <message>
         <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
         <translation>Sieh dir an, was die Zeile nimmt, die den Ort ändert, und was vor ihr gefragt wird.</translation>
     </message>

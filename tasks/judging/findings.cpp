@@ -51,6 +51,10 @@ public:
         m_lines.emplace(m_task, m_submission, m_deviations, m_own, m_right, m_ground,
                         m_provesLines && work < mostWorkToProve);
         take(Aspect::Start, m_deviations.of(m_own, Aspect::Start));
+        if (const auto unwritten = unwrittenVelocity(m_submission.program(), m_ground)) {
+            add(*unwritten, {}, unwritten->message);
+            return std::move(m_findings);
+        }
         for (const Aspect aspect :
              {Aspect::Motion, Aspect::Walls, Aspect::Contact, Aspect::Response}) {
             if (aspect == Aspect::Walls) {

@@ -41,7 +41,69 @@ void look(const World &world, const Preset &scene, std::vector<Seen> &all)
     }
 }
 
+/// What was seen of a circle that moves.
+struct Course {
+    bool isSame = true; ///< its velocity
+    bool wasForward = false;
+    int backwards = 0; ///< steps, the last ones
+
+    /// \param share  how far the step went along the velocity of the start, of v Δt
+    void take(double share)
+    {
+        wasForward |= share > 0.9;
+        backwards = wasForward && share < -0.1 ? backwards + 1 : 0;
+    }
+    [[nodiscard]] bool isTold() const
+    {
+        constexpr int someSteps = 10; // what is put out of a wall goes back in one
+        return isSame && backwards >= someSteps;
+    }
+};
+
 } // namespace
+
+std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Ground &ground)
+{
+    Probe probe(program, {ground.own, false});
+    if (!probe.runs())
+        return std::nullopt;
+    const Preset &scene = probe.start();
+    std::vector<Course> all(scene.circles.size());
+    const auto isAnySame = [&] {
+        return std::any_of(all.begin(), all.end(), [](const Course &c) { return c.isSame; });
+    };
+    while (probe.world().time < longEnough && isAnySame()) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            return std::nullopt;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Circle &after = probe.world().circles[i];
+            const Vec2 v = scene.circles[i].body.velocity;
+            const Vec2 way = after.position - before[i].position;
+            all[i].isSame &= after.velocity == v && v != Vec2{};
+            all[i].take(dot(way, v) / (scene.timestep * lengthSquared(v)));
+            if (!all[i].isTold())
+                continue;
+            const int circle = static_cast<int>(i);
+            return LawDeviation{
+                .aspect = Aspect::Motion,
+                .message =
+                    UnchangedText::tr(
+                        "Circle %1 does not move as its velocity says\n\nAt %2 s of your own "
+                        "scene it moves by %3 m in a step of %4 s, against its velocity, which is "
+                        "still the %5 m/s of the start. A program that keeps velocities in "
+                        "variables of its own must also assign them to the circles, as to "
+                        "`circle%1.velocity`.\n\nThrough this, walls and hits cannot be judged "
+                        "yet.")
+                        .arg(circle + 1)
+                        .arg(brief(probe.world().time), brief(way), briefTimestep(scene.timestep),
+                             brief(v)),
+                .moment = {.stage = {ground.own, false}, .circles = {circle}},
+                .suspect = Suspect::Omission};
+        }
+    }
+    return std::nullopt;
+}
 
 std::optional<LawDeviation> unchangedVelocity(const QString *program, const Ground &ground)
 {

@@ -12,4 +12,10 @@ namespace cradle {
 [[nodiscard]] std::optional<LawDeviation> unchangedVelocity(const QString *program,
                                                             const Ground &ground);
 
+/// A circle that first moves as its velocity says, then against it for some steps, and whose
+/// velocity is still that of the start: the program turns a velocity of its own. What walls and
+/// hits make of the circle's velocity then says nothing of them.
+[[nodiscard]] std::optional<LawDeviation> unwrittenVelocity(const QString *program,
+                                                            const Ground &ground);
+
 } // namespace cradle
