@@ -153,7 +153,7 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         edit(f.answer, "q.velocity + j / m2 * n",
              "q.velocity + 2 * j / (1 + restitution) / m2 * n");
     });
-    row("L42T16", "normal parts times e", "e acts on more than the rebound", [](OtherForm &f) {
+    row("L42T16", "normal parts times e", "e multiplies both whole new parts", [](OtherForm &f) {
         f.answer.replace(lab("(1 + restitution)"), lab("2"));
         edit(f.answer, "* n end",
              "* n for _, c in ipairs({p, q}) do "
