@@ -144,6 +144,20 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "p.velocity = p.velocity + (m2 * w / m1 - u) * n "
         "q.velocity = q.velocity + (m1 * u / m2 - w) * n",
         "The momenta along the line of centres change hands");
+    row("e in the momenta that change hands", "L42T16",
+        "m1, m2 = p.density * p.radius ^ 3, q.density * q.radius ^ 3 "
+        "local u, w = p.velocity:dot(n), q.velocity:dot(n) "
+        "p.velocity = p.velocity + (restitution * m2 * w / m1 - u) * n "
+        "q.velocity = q.velocity + (restitution * m1 * u / m2 - w) * n",
+        "Each circle leaves with e times the momentum of the other");
+    row("the mean of the masses for what they share", "L42T16",
+        "m1, m2 = p.density * p.radius ^ 3, q.density * q.radius ^ 3 "
+        "local j = (1 + restitution) * closing * (m1 + m2) / 4 "
+        "p.velocity, q.velocity = p.velocity - j / m1 * n, q.velocity + j / m2 * n",
+        "The shares of the two circles do not add up to 1");
+    row("what circle 1 has left for circle 2", "L42T11",
+        "p.velocity = p.velocity - closing * n q.velocity = p.velocity",
+        "Only circle 1 leaves a hit as it should");
     row("places alone, too early in the lab", "L42T8",
         "local deep = reach - d:length() "
         "p.position, q.position = p.position - deep / 2 * n, q.position + deep / 2 * n",

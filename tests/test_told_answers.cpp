@@ -86,6 +86,12 @@ void TestToldAnswers::lawOfAllHitsIsTold_data()
           "(m1 + m2) / (m1 - m2) * (c + e * (c - a))", "(m1 + m2) / (m1 - m2) * (c + e * (c - b))");
     parts("Both pushes have a wrong size", "a - (1 + e) * m2 / (m1 - m2) * closing",
           "b + (1 + e) * m1 / (m1 - m2) * closing");
+    parts("Each circle leaves with e times the momentum of the other", "e * m2 * b / m1",
+          "e * m1 * a / m2");
+    parts("What the two have in common does not depend on the masses", "(a + b) / 2 + e * (c - a)",
+          "(a + b) / 2 + e * (c - b)");
+    parts("The rebound is shared half and half, whatever the masses are", "c + e / 2 * (b - a)",
+          "c + e / 2 * (a - b)");
     normal("divided twice", "d / d:length() ^ 2", "The normal does not have length 1");
     normal("never divided", "d", "The normal does not have length 1");
     QTest::newRow("push divided by the distance")

@@ -4905,6 +4905,30 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>في كل التصادمات التي جُرّبت تكون المركّبتان الجديدتان على خط المركزين كما ينبغي، لكن للدائرة 1 مركّبة الدائرة 2 وللدائرة 2 مركّبة الدائرة 1. انظر أي نتيجة تذهب إلى أي دائرة.</translation>
     </message>
     <message>
+        <source>What the two have in common does not depend on the masses</source>
+        <translation>ما تشترك فيه الدائرتان لا يتوقف على الكتلتين</translation>
+    </message>
+    <message>
+        <source>In all hits tried what parts them again comes out right, but what both have in common is the mean of the two velocities along that line, whatever the masses are. The total momentum is not kept then, so no masses make it right. Look at where that mean is worked out.</source>
+        <translation>في كل التصادمات التي جُرّبت يخرج ما يفرّقهما من جديد صحيحًا، لكن ما تشتركان فيه هو متوسط السرعتين على ذلك الخط أيًا كانت الكتلتان. عندئذ لا تُحفظ كمية الحركة الكلية، فلا تصح بأي كتل. انظر إلى حيث يُحسب هذا المتوسط.</translation>
+    </message>
+    <message>
+        <source>The rebound is shared half and half, whatever the masses are</source>
+        <translation>يُقسم الارتداد نصفين أيًا كانت الكتلتان</translation>
+    </message>
+    <message>
+        <source>In all hits tried what both have in common comes out right, but of what parts them again each gets one half. The total momentum is not kept then, so no masses make it right: the lighter one should get more.</source>
+        <translation>في كل التصادمات التي جُرّبت يخرج ما تشتركان فيه صحيحًا، لكن مما يفرّقهما من جديد تنال كل واحدة النصف. عندئذ لا تُحفظ كمية الحركة الكلية، فلا تصح بأي كتل: ينبغي أن تنال الأخف أكثر.</translation>
+    </message>
+    <message>
+        <source>Each circle leaves with e times the momentum of the other</source>
+        <translation>تغادر كل دائرة بمقدار e من كمية حركة الأخرى</translation>
+    </message>
+    <message>
+        <source>In all hits tried each circle has after the hit e times the momentum along that line that the other came with. The total momentum is not kept then: e acts on how fast they part alone.</source>
+        <translation>في كل التصادمات التي جُرّبت يكون لكل دائرة بعد التصادم e في كمية الحركة على ذلك الخط التي جاءت بها الأخرى. عندئذ لا تُحفظ كمية الحركة الكلية: لا يؤثر e إلا في سرعة افتراقهما.</translation>
+    </message>
+    <message>
         <source>The momenta along the line of centres change hands</source>
         <translation>تتبادل الدائرتان كميتَي الحركة على خط المركزين</translation>
     </message>

@@ -4845,6 +4845,30 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>In allen versuchten Stößen sind beide neuen Anteile längs der Verbindungslinie der Mittelpunkte, wie sie sein sollen, aber Kreis 1 hat den von Kreis 2 und Kreis 2 den von Kreis 1. Sieh nach, welches Ergebnis welcher Kreis bekommt.</translation>
     </message>
     <message>
+        <source>What the two have in common does not depend on the masses</source>
+        <translation>Was die beiden gemeinsam haben, hängt nicht von den Massen ab</translation>
+    </message>
+    <message>
+        <source>In all hits tried what parts them again comes out right, but what both have in common is the mean of the two velocities along that line, whatever the masses are. The total momentum is not kept then, so no masses make it right. Look at where that mean is worked out.</source>
+        <translation>In allen versuchten Stößen stimmt, was sie wieder trennt, aber was beide gemeinsam haben, ist der Mittelwert der beiden Geschwindigkeiten längs dieser Linie, wie auch immer die Massen sind. Der Gesamtimpuls bleibt dann nicht erhalten, also stimmt es mit keinen Massen. Sieh dir an, wo dieser Mittelwert errechnet wird.</translation>
+    </message>
+    <message>
+        <source>The rebound is shared half and half, whatever the masses are</source>
+        <translation>Der Rückprall wird halb und halb geteilt, wie auch immer die Massen sind</translation>
+    </message>
+    <message>
+        <source>In all hits tried what both have in common comes out right, but of what parts them again each gets one half. The total momentum is not kept then, so no masses make it right: the lighter one should get more.</source>
+        <translation>In allen versuchten Stößen stimmt, was beide gemeinsam haben, aber von dem, was sie wieder trennt, bekommt jeder die Hälfte. Der Gesamtimpuls bleibt dann nicht erhalten, also stimmt es mit keinen Massen: Der leichtere sollte mehr bekommen.</translation>
+    </message>
+    <message>
+        <source>Each circle leaves with e times the momentum of the other</source>
+        <translation>Jeder Kreis geht mit dem e-fachen Impuls des anderen weg</translation>
+    </message>
+    <message>
+        <source>In all hits tried each circle has after the hit e times the momentum along that line that the other came with. The total momentum is not kept then: e acts on how fast they part alone.</source>
+        <translation>In allen versuchten Stößen hat jeder Kreis nach dem Stoß das e-Fache des Impulses längs dieser Linie, mit dem der andere kam. Der Gesamtimpuls bleibt dann nicht erhalten: e wirkt nur darauf, wie schnell sie sich trennen.</translation>
+    </message>
+    <message>
         <source>The momenta along the line of centres change hands</source>
         <translation>Die Impulse längs der Verbindungslinie der Mittelpunkte werden getauscht</translation>
     </message>

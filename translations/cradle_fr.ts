@@ -4845,6 +4845,30 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Dans tous les chocs essayés, les deux nouvelles composantes suivant la ligne des centres sont comme il faut, mais le cercle 1 a celle du cercle 2, et le cercle 2 celle du cercle 1. Regardez quel résultat va à quel cercle.</translation>
     </message>
     <message>
+        <source>What the two have in common does not depend on the masses</source>
+        <translation>Ce que les deux ont en commun ne dépend pas des masses</translation>
+    </message>
+    <message>
+        <source>In all hits tried what parts them again comes out right, but what both have in common is the mean of the two velocities along that line, whatever the masses are. The total momentum is not kept then, so no masses make it right. Look at where that mean is worked out.</source>
+        <translation>Dans tous les chocs essayés, ce qui les sépare à nouveau est juste, mais ce qu&apos;ils ont en commun est la moyenne des deux vitesses suivant cette ligne, quelles que soient les masses. La quantité de mouvement totale n&apos;est alors pas conservée, donc aucune masse ne donne un résultat juste. Regardez où cette moyenne est calculée.</translation>
+    </message>
+    <message>
+        <source>The rebound is shared half and half, whatever the masses are</source>
+        <translation>Le rebond est partagé moitié-moitié, quelles que soient les masses</translation>
+    </message>
+    <message>
+        <source>In all hits tried what both have in common comes out right, but of what parts them again each gets one half. The total momentum is not kept then, so no masses make it right: the lighter one should get more.</source>
+        <translation>Dans tous les chocs essayés, ce qu&apos;ils ont en commun est juste, mais de ce qui les sépare à nouveau chacun reçoit la moitié. La quantité de mouvement totale n&apos;est alors pas conservée, donc aucune masse ne donne un résultat juste&#xa0;: le plus léger devrait recevoir davantage.</translation>
+    </message>
+    <message>
+        <source>Each circle leaves with e times the momentum of the other</source>
+        <translation>Chaque cercle repart avec e fois la quantité de mouvement de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>In all hits tried each circle has after the hit e times the momentum along that line that the other came with. The total momentum is not kept then: e acts on how fast they part alone.</source>
+        <translation>Dans tous les chocs essayés, chaque cercle a après le choc e fois la quantité de mouvement suivant cette ligne avec laquelle l&apos;autre est venu. La quantité de mouvement totale n&apos;est alors pas conservée&#xa0;: e n&apos;agit que sur la vitesse avec laquelle ils se séparent.</translation>
+    </message>
+    <message>
         <source>The momenta along the line of centres change hands</source>
         <translation>Les quantités de mouvement suivant la ligne des centres sont échangées</translation>
     </message>

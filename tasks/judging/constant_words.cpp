@@ -4,6 +4,7 @@
 #include "tasks/judging/response_reading.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace cradle {
@@ -62,14 +63,22 @@ std::optional<LawDeviation> constantDeviation(const MeasuredPair &own,
     const auto parts = [](const PairHit &one) {
         return one.slowness * alongParts(one.leftParts());
     };
-    if (!isConstant(all, parts)
+    // Of one that has the part that it should have, that is no fault.
+    const auto isRight = [&](double PairVelocities::*part) {
+        return std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+            return std::abs(h.hit.leftParts().*part - h.right.*part) < constantBlur;
+        });
+    };
+    if (!isConstant(all, parts) || isRight(&PairVelocities::along1)
+        || isRight(&PairVelocities::along2)
         || isConstant(hits, [](const EqualHit &h) { return alongParts(h.right); }))
         return std::nullopt;
     return responseDeviation(
         ResponseText::tr("The new parts along the normal do not depend on the old ones"),
         ResponseText::tr("Along the line of centres, from 1 to 2, circle 1 leaves all hits tried "
                          "with %1 m/s and circle 2 with %2 m/s.")
-                .arg(brief(parts(hit).x), brief(parts(hit).y))
+                .arg(brief(hit.slowness * hit.seenPart(hit.leftParts().along1)),
+                     brief(hit.slowness * hit.seenPart(hit.leftParts().along2)))
             + before,
         hit);
 }

@@ -43,6 +43,7 @@ enum class Topic {
     Momentum,    ///< that the two pushes are not equal and opposite
     Across,      ///< the parts across the line of centres, of both circles
     Slowness,    ///< of hits with which speeds it is
+    Shares,      ///< that what parts two circles is not shared whole
 };
 
 /// One thing in which a program's law is not the one that is asked for.

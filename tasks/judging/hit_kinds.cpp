@@ -91,6 +91,9 @@ bool HitKinds::isLawOf(const Kinds &hits) const
         if (!law.isEmpty() && said.contains(law))
             return true;
     }
+    const auto uneven = unevenLaw(m_own.pair(), m_right.pair());
+    if (uneven && said.startsWith(uneven->headline))
+        return follows(*uneven, all);
     const auto laws = knownResponses();
     return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
         return said.startsWith(law.headline) && follows(law, all);
@@ -107,6 +110,16 @@ bool HitKinds::areMasses(const Kinds &hits) const
            && std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
                   const auto heavy = massRatio(*one.hit);
                   return heavy && std::abs(*heavy / p.ratioOf(one.hit->meeting) - 1.0) < 0.05;
+              });
+}
+
+/// Whether what was found is that what parts two circles is not shared whole, and it is so in all
+/// of \p hits that do not come out right.
+bool HitKinds::areShares(const Kinds &hits) const
+{
+    return m_said.deviations.front().topic == Topic::Shares
+           && std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
+                  return one.isRight || isUnshared(*one.hit);
               });
 }
 

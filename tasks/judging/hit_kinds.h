@@ -33,6 +33,7 @@ private:
     [[nodiscard]] std::vector<EqualHit> besideRight(const Kinds &hits) const;
     [[nodiscard]] bool isLawOf(const Kinds &hits) const;
     [[nodiscard]] bool areMasses(const Kinds &hits) const;
+    [[nodiscard]] bool areShares(const Kinds &hits) const;
     [[nodiscard]] bool isOfOneCircle(const PairHit &hit) const;
     [[nodiscard]] bool isOfPush(const PairHit &hit) const;
     [[nodiscard]] bool isOfAcross(const PairHit &hit) const;

@@ -102,16 +102,17 @@ void HitKinds::judge()
         limitToE(isOfMasses);
     if (!found.empty() && right == 0)
         judgeAllWrong(hits);
-    if (!found.empty() && (right == 0 || areMasses(hits)))
+    const bool isLaw = !found.empty() && isLawOf(hits);
+    if (!found.empty() && (right == 0 || areMasses(hits) || (isLaw && isOfMasses)))
         return;
     const auto isOne = [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); };
     if (isOfMasses && areRightOfEquals(all)
-        && (std::all_of(all.begin(), all.end(), isOne) || areOtherMasses(hits))) {
+        && (std::all_of(all.begin(), all.end(), isOne) || areShares(hits)
+            || areOtherMasses(hits))) {
         found.resize(1);
         found.front().message += countOf(hits, std::nullopt);
         return;
     }
-    const bool isLaw = !found.empty() && isLawOf(hits);
     const auto division = isLaw ? std::nullopt : divisionBy(all);
     if (!found.empty() && !division && !isOfMasses) {
         if (!isLaw && !found.front().isOfSome)

@@ -94,6 +94,12 @@ std::optional<double> sharedPart(const PairHit &hit)
 
 } // namespace
 
+bool isUnshared(const PairHit &hit)
+{
+    const auto part = sharedPart(hit);
+    return part && std::abs(*part - 1.0) > 2e-3;
+}
+
 const PairHit *unsharedHit(const MeasuredPair &own)
 {
     constexpr double blur = 0.02;
@@ -139,8 +145,11 @@ LawDeviation unsharedDeviation(const PairHit &hit)
                          "circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).")
             .arg(brief(push1), brief(push2), briefBeside(push1 + push2, right),
                  briefBeside(right, push1 + push2));
-    return responseDeviation(ResponseText::tr("The shares of the two circles do not add up to 1"),
-                             scene + QLatin1Char(' ') + change, hit, Suspect::Formula);
+    LawDeviation found =
+        responseDeviation(ResponseText::tr("The shares of the two circles do not add up to 1"),
+                          scene + QLatin1Char(' ') + change, hit, Suspect::Formula);
+    found.topic = Topic::Shares;
+    return found;
 }
 
 } // namespace cradle

@@ -34,6 +34,19 @@ bool PairHit::isAligned() const
     return length(normal - Vec2{std::cos(angle), std::sin(angle)}) < 0.002;
 }
 
+double PairHit::seenPart(double part, const std::vector<double> &known) const
+{
+    const double came = std::max(length(came1), length(came2));
+    const double left = std::max(length(left1), length(left2));
+    const double blur = std::max(2e-3 * came, 2.0 * length(nextNormal - normal) * left);
+    double nearest = 0.0;
+    for (const double each : known) {
+        if (std::abs(part - each) < std::abs(part - nearest))
+            nearest = each;
+    }
+    return std::abs(part - nearest) < blur ? nearest : part;
+}
+
 double PairHit::rebound() const
 {
     const Vec2 n = normalized(push2());

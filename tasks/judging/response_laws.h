@@ -41,6 +41,8 @@ struct ResponseLaw {
 [[nodiscard]] bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits);
 
 /// Whether two answers are the same but for what a short step blurs.
-[[nodiscard]] bool isSameAnswer(const PairVelocities &a, const PairVelocities &b);
+/// \param push  the larger of those that made them, where they may be much too strong
+[[nodiscard]] bool isSameAnswer(const PairVelocities &a, const PairVelocities &b,
+                                double push = 0.0);
 
 } // namespace cradle

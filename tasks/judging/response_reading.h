@@ -85,6 +85,8 @@ struct MassExponents {
 /// another part of (1 + e) u than where they are, with the same e; null if there is none. No masses
 /// make it: their shares, m₂/(m₁ + m₂) and m₁/(m₁ + m₂), add up to 1.
 [[nodiscard]] const PairHit *unsharedHit(const MeasuredPair &own);
+/// Whether |Δv₁| + |Δv₂| in \p hit is another part of (1 + e) u than 1, by opposite pushes.
+[[nodiscard]] bool isUnshared(const PairHit &hit);
 /// That this is so, where it is right for circles that are alike.
 [[nodiscard]] LawDeviation unsharedDeviation(const PairHit &hit);
 

@@ -220,17 +220,11 @@ QString describeHit(const PairHit &hit, const PairHit &right, bool alongAlone)
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
     const PairVelocities good = rightFor(in, right);
-    // The line of centres turns a little in a step: what that makes is no part of a velocity.
-    const double blur = 2e-3 * std::max(length(hit.came1), length(hit.came2));
-    const auto seen = [&](double part) {
-        for (const double known :
-             {0.0, in.along1, in.across1, in.along2, in.across2, good.along1, good.along2}) {
-            if (std::abs(part - known) < blur)
-                return known;
-        }
-        return part;
+    const auto told = [&](double part) {
+        return brief(hit.slowness
+                     * hit.seenPart(part, {in.along1, in.across1, in.along2, in.across2,
+                                           good.along1, good.along2}));
     };
-    const auto told = [&](double part) { return brief(hit.slowness * seen(part)); };
     const QStringList along{told(in.along1),  told(in.along2),   told(out.along1),
                             told(out.along2), told(good.along1), told(good.along2)};
     const QStringList across{told(in.across1),  told(in.across2),   told(out.across1),

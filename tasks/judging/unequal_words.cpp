@@ -118,45 +118,90 @@ double sumByDifference(const EqualHit &h)
     return (1.0 + heavy) / (1.0 - heavy);
 }
 
+/// What both have in common, and what parts them, for masses of balls:
+///     v₁ = c − e m₂/(m₁ + m₂) u,   c = (m₁ v₁ + m₂ v₂) / (m₁ + m₂)
+/// with one of the two as for equal masses in place of that.
+std::vector<ResponseLaw> halfMeantLaws()
+{
+    return {
+        {[](Uneven h) {
+             const double heavy = ballRatioOf(h.hit.meeting);
+             const double off = 0.5 * (h.in.along1 + h.in.along2)
+                                - (h.in.along1 + heavy * h.in.along2) / (1.0 + heavy);
+             return PairVelocities{h.right.along1 + off, h.right.across1, h.right.along2 + off,
+                                   h.right.across2};
+         },
+         ResponseText::tr("What the two have in common does not depend on the masses"),
+         ResponseText::tr("In all hits tried what parts them again comes out right, but what both "
+                          "have in common is the mean of the two velocities along that line, "
+                          "whatever the masses are. The total momentum is not kept then, so no "
+                          "masses make it right. Look at where that mean is worked out.")},
+        {[](Uneven h) {
+             const double heavy = ballRatioOf(h.hit.meeting);
+             const double off = h.hit.meeting.restitution * (h.in.along1 - h.in.along2)
+                                * (heavy / (1.0 + heavy) - 0.5);
+             return PairVelocities{h.right.along1 + off, h.right.across1, h.right.along2 + off,
+                                   h.right.across2};
+         },
+         ResponseText::tr("The rebound is shared half and half, whatever the masses are"),
+         ResponseText::tr("In all hits tried what both have in common comes out right, but of what "
+                          "parts them again each gets one half. The total momentum is not kept "
+                          "then, so no masses make it right: the lighter one should get more.")}};
+}
+
 /// Answers with the masses of balls in which these stand in a wrong place.
 std::vector<ResponseLaw> unevenLaws()
 {
     const QString look = QLatin1Char(' ')
                          + ResponseText::tr("Look at where the two masses are subtracted, and "
                                             "where they are added.");
-    return {loneMass(1),
-            loneMass(2),
-            {[](Uneven h) {
-                 return PairVelocities{h.right.along2, h.right.across1, h.right.along1,
-                                       h.right.across2};
-             },
-             ResponseText::tr("Each circle gets the new part of the other"),
-             ResponseText::tr("In all hits tried both new parts along the line of centres are as "
-                              "they should be, but circle 1 has that of circle 2, and circle 2 "
-                              "that of circle 1. Look at which result goes to which circle.")},
-            {[](Uneven h) {
-                 const double heavy = ballRatioOf(h.hit.meeting);
-                 return PairVelocities{heavy * h.in.along2, h.in.across1, h.in.along1 / heavy,
-                                       h.in.across2};
-             },
-             ResponseText::tr("The momenta along the line of centres change hands"),
-             ResponseText::tr("In all hits tried each circle has after the hit the momentum along "
-                              "that line that the other came with. That keeps the total momentum, "
-                              "but where the masses differ they do not part as fast as they "
-                              "met.")},
-            {[](Uneven h) {
-                 return PairVelocities{sumByDifference(h) * h.right.along1, h.right.across1,
-                                       sumByDifference(h) * h.right.along2, h.right.across2};
-             },
-             ResponseText::tr("The new parts along the line of centres have a wrong size"),
-             ResponseText::tr("In all hits tried of two masses both new parts are (m₁ + m₂) / "
-                              "(m₁ − m₂) times what is right.")
-                 + look},
-            {[](Uneven h) { return pushed(h, sumByDifference(h)); },
-             ResponseText::tr("Both pushes have a wrong size"),
-             ResponseText::tr("In all hits tried of two masses both pushes are (m₁ + m₂) / "
-                              "(m₁ − m₂) times what is right.")
-                 + look}};
+    std::vector<ResponseLaw> laws = halfMeantLaws();
+    const std::vector<ResponseLaw> others{
+        loneMass(1),
+        loneMass(2),
+        {[](Uneven h) {
+             return PairVelocities{h.right.along2, h.right.across1, h.right.along1,
+                                   h.right.across2};
+         },
+         ResponseText::tr("Each circle gets the new part of the other"),
+         ResponseText::tr("In all hits tried both new parts along the line of centres are as "
+                          "they should be, but circle 1 has that of circle 2, and circle 2 "
+                          "that of circle 1. Look at which result goes to which circle.")},
+        {[](Uneven h) {
+             const double heavy = ballRatioOf(h.hit.meeting);
+             return PairVelocities{heavy * h.in.along2, h.in.across1, h.in.along1 / heavy,
+                                   h.in.across2};
+         },
+         ResponseText::tr("The momenta along the line of centres change hands"),
+         ResponseText::tr("In all hits tried each circle has after the hit the momentum along "
+                          "that line that the other came with. That keeps the total momentum, "
+                          "but where the masses differ they do not part as fast as they "
+                          "met.")},
+        {[](Uneven h) {
+             const double heavy = ballRatioOf(h.hit.meeting);
+             const double e = h.hit.meeting.restitution;
+             return PairVelocities{e * heavy * h.in.along2, h.in.across1, e * h.in.along1 / heavy,
+                                   h.in.across2};
+         },
+         ResponseText::tr("Each circle leaves with e times the momentum of the other"),
+         ResponseText::tr("In all hits tried each circle has after the hit e times the momentum "
+                          "along that line that the other came with. The total momentum is not "
+                          "kept then: e acts on how fast they part alone.")},
+        {[](Uneven h) {
+             return PairVelocities{sumByDifference(h) * h.right.along1, h.right.across1,
+                                   sumByDifference(h) * h.right.along2, h.right.across2};
+         },
+         ResponseText::tr("The new parts along the line of centres have a wrong size"),
+         ResponseText::tr("In all hits tried of two masses both new parts are (m₁ + m₂) / "
+                          "(m₁ − m₂) times what is right.")
+             + look},
+        {[](Uneven h) { return pushed(h, sumByDifference(h)); },
+         ResponseText::tr("Both pushes have a wrong size"),
+         ResponseText::tr("In all hits tried of two masses both pushes are (m₁ + m₂) / "
+                          "(m₁ − m₂) times what is right.")
+             + look}};
+    laws.insert(laws.end(), others.begin(), others.end());
+    return laws;
 }
 
 /// All hits of two programs that compare, of equal and of unequal circles, with every e.
