@@ -88,7 +88,7 @@ struct PairHit {
     /// Whether it was noticed but changed no velocity.
     [[nodiscard]] bool isHeldAlone() const { return isHeld() && !answered; }
     /// A part of a velocity along or across the line of centres without what that line makes by
-    /// turning in the step: of 0 and those that are \p known the nearest, if it is no farther away.
+    /// turning in the step: the first of \p known that is no farther away, else 0 if it is not.
     [[nodiscard]] double seenPart(double part, const std::vector<double> &known = {}) const;
     /// Whether it was answered when the centres were \p distance apart; it may be a step late.
     [[nodiscard]] bool fits(double distance) const;

@@ -38,13 +38,11 @@ double PairHit::seenPart(double part, const std::vector<double> &known) const
 {
     const double came = std::max(length(came1), length(came2));
     const double left = std::max(length(left1), length(left2));
-    const double blur = std::max(2e-3 * came, 2.0 * length(nextNormal - normal) * left);
-    double nearest = 0.0;
-    for (const double each : known) {
-        if (std::abs(part - each) < std::abs(part - nearest))
-            nearest = each;
-    }
-    return std::abs(part - nearest) < blur ? nearest : part;
+    const double turned = length(nextNormal - normal);
+    const double blur = 2e-3 * came + turned * std::max(left - came, 0.0);
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](double each) { return std::abs(part - each) < blur; });
+    return found != known.end() ? *found : std::abs(part) < blur ? 0.0 : part;
 }
 
 double PairHit::rebound() const

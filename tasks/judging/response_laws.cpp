@@ -269,10 +269,10 @@ PairVelocities pushed(const EqualHit &h, double factor)
             in.across2 + factor * (r.across2 - in.across2)};
 }
 
-bool isSameAnswer(const PairVelocities &a, const PairVelocities &b, double push)
+bool isSameAnswer(const PairVelocities &a, const PairVelocities &b, double gain)
 {
     // A line of centres that has turned a little turns a push that is much too strong.
-    const double across = hitBlur + 1e-3 * push;
+    const double across = hitBlur + 1e-3 * gain;
     return isAlike(a.along1, b.along1, hitBlur) && isAlike(a.across1, b.across1, across)
            && isAlike(a.along2, b.along2, hitBlur) && isAlike(a.across2, b.across2, across);
 }
@@ -280,8 +280,9 @@ bool isSameAnswer(const PairVelocities &a, const PairVelocities &b, double push)
 bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits)
 {
     return !hits.empty() && std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
-        return isSameAnswer(h.hit.leftParts(), law.answer(h),
-                            std::max(length(h.hit.push1()), length(h.hit.push2())));
+        const double came = std::max(length(h.hit.came1), length(h.hit.came2));
+        const double left = std::max(length(h.hit.left1), length(h.hit.left2));
+        return isSameAnswer(h.hit.leftParts(), law.answer(h), std::max(left - came, 0.0));
     });
 }
 

@@ -41,8 +41,8 @@ struct ResponseLaw {
 [[nodiscard]] bool follows(const ResponseLaw &law, const std::vector<EqualHit> &hits);
 
 /// Whether two answers are the same but for what a short step blurs.
-/// \param push  the larger of those that made them, where they may be much too strong
+/// \param gain  by how much the faster of the two left faster than the faster one came
 [[nodiscard]] bool isSameAnswer(const PairVelocities &a, const PairVelocities &b,
-                                double push = 0.0);
+                                double gain = 0.0);
 
 } // namespace cradle

@@ -220,15 +220,18 @@ QString describeHit(const PairHit &hit, const PairHit &right, bool alongAlone)
     const PairVelocities in = hit.cameParts();
     const PairVelocities out = hit.leftParts();
     const PairVelocities good = rightFor(in, right);
-    const auto told = [&](double part) {
+    const auto told = [&](double part, double wanted) {
         return brief(hit.slowness
-                     * hit.seenPart(part, {in.along1, in.across1, in.along2, in.across2,
-                                           good.along1, good.along2}));
+                     * hit.seenPart(part, {wanted, 0.0, in.along1, in.across1, in.along2,
+                                           in.across2, good.along1, good.along2}));
     };
-    const QStringList along{told(in.along1),  told(in.along2),   told(out.along1),
-                            told(out.along2), told(good.along1), told(good.along2)};
-    const QStringList across{told(in.across1),  told(in.across2),   told(out.across1),
-                             told(out.across2), told(good.across1), told(good.across2)};
+    const auto partsOf = [&](double PairVelocities::*one, double PairVelocities::*two) {
+        return QStringList{told(in.*one, in.*one),     told(in.*two, in.*two),
+                           told(out.*one, good.*one),  told(out.*two, good.*two),
+                           told(good.*one, good.*one), told(good.*two, good.*two)};
+    };
+    const QStringList along = partsOf(&PairVelocities::along1, &PairVelocities::along2);
+    const QStringList across = partsOf(&PairVelocities::across1, &PairVelocities::across2);
     const auto isRight = [](const QStringList &parts) {
         return parts[2] == parts[4] && parts[3] == parts[5];
     };
