@@ -135,6 +135,11 @@ void TestConditions::whatIsAlwaysSoHasNoCondition_data()
         QTest::addRow("e squared at walls, form %zu", form)
             << text("L42T17") << program(text("L42T17"), {.back = "restitution ^ 2"}, form)
             << QStringList(text("At the walls e acts on both circles twice"));
+        // Slow ones, too, come as late as those of another radius did.
+        for (const char *step : {"L42T15", "L42T17"})
+            QTest::addRow("late walls, %s, form %zu", step, form)
+                << text(step) << program(text(step), {.radius = "c.radius - 0.1"}, form)
+                << QStringList(text("Hits at the walls turn both circles round too late"));
         QTest::addRow("e squared in hits, form %zu", form)
             << text("L42T16") << program(text("L42T16"), {.e = "restitution ^ 2"}, form)
             << QStringList(text("e is squared in the hit of two circles"));

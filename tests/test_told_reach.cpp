@@ -19,6 +19,7 @@ private slots:
     void reachOfAWallIsTold();
     void lengthForTheRadiusIsTold();
     void numberForTheRadiusIsTold();
+    void numberIsNoOtherRadius();
 
 private:
     /// In a step with walls that turn a circle at the distance \p reach.
@@ -92,6 +93,25 @@ void TestToldReach::numberForTheRadiusIsTold()
                          QStringLiteral("At the walls a number stands for the radius of"),
                          "L42T13"),
              QString());
+}
+
+/// Of the size that the smaller circle has where the two differ.
+void TestToldReach::numberIsNoOtherRadius()
+{
+    const QString number =
+        QStringLiteral("At the walls a number stands for the radius of circle 1");
+    for (const char *reach : {"0.12", "0.1", "0.368", "0.4"}) {
+        const QByteArray own = QByteArray("(c.index == 1 and ") + reach + " or c.radius)";
+        QVERIFY2(!bodyOfReach(own.constData(), number).isEmpty(), reach);
+    }
+    for (const char *which : {"smaller", "larger"}) {
+        const QString other =
+            QStringLiteral("At the walls the %1 radius stands for that of both circles")
+                .arg(QLatin1String(which));
+        const char *reach = *which == 's' ? "math.min(circle1.radius, circle2.radius)"
+                                          : "math.max(circle1.radius, circle2.radius)";
+        QVERIFY2(!bodyOfReach(reach, other).isEmpty(), which);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestToldReach)

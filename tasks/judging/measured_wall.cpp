@@ -6,6 +6,7 @@
 #include "tasks/judging/wall_range.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cradle {
@@ -58,6 +59,15 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             slow.push_back(range.creep(circle, wall, middleOf(all)));
         for (const Wall wall : {Wall::Right, Wall::Top, Wall::Left, Wall::Bottom})
             corners.push_back(range.shoot(circle, wall, all.back(), 0, true));
+        const bool isElsewhere = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
+            return hit.circle == circle && hit.isAnswered() && !hit.fits(hit.radius);
+        });
+        for (const Wall wall : allWalls) {
+            for (const bool large : {true, false}) {
+                if (isElsewhere && ground.walls.radii.isVaried())
+                    alike.push_back(range.shootAmongAlike(circle, wall, all.back(), large));
+            }
+        }
         const bool turnsAtOnce = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
             return hit.circle == circle && hit.turned && hit.step == 1;
         });
@@ -83,21 +93,35 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
     }
 }
 
+MeasuredWalls::Between MeasuredWalls::between(int circle, Wall wall, double radii) const
+{
+    Between place{-std::numeric_limits<double>::infinity(),
+                  std::numeric_limits<double>::infinity()};
+    for (const WallHit &hit : hits) {
+        if (hit.circle != circle || hit.wall != wall || !(hit.turned || hit.held))
+            continue;
+        place.from = std::max(place.from, hit.reached - radii * hit.radius);
+        place.to = std::min(place.to, hit.before + hit.travel - radii * hit.radius);
+    }
+    return place;
+}
+
 bool MeasuredWalls::hasOnePlace(int circle, Wall wall) const
 {
     // Where one place would do for all, of the centre or of the rim, there the wall turns circles.
-    const auto isOnePlace = [&](double radii) {
-        double least = std::numeric_limits<double>::infinity();
-        double most = -least;
-        for (const WallHit &hit : hits) {
-            if (hit.circle != circle || hit.wall != wall || !(hit.turned || hit.held))
-                continue;
-            least = std::min(least, hit.before + hit.travel - radii * hit.radius);
-            most = std::max(most, hit.reached - radii * hit.radius);
-        }
-        return most <= least + 1e-9;
-    };
-    return isOnePlace(0.0) || isOnePlace(1.0);
+    return between(circle, wall, 0.0).isOnePlace() || between(circle, wall, 1.0).isOnePlace();
+}
+
+double MeasuredWalls::placeOf(int circle, Wall wall, double radius) const
+{
+    if (turnsAtRim(circle, wall))
+        return radius;
+    for (const double radii : {1.0, 0.0}) {
+        const Between place = between(circle, wall, radii);
+        if (place.isOnePlace() && std::isfinite(place.from))
+            return std::min(place.from + radii * radius, radius);
+    }
+    return radius;
 }
 
 bool MeasuredWalls::turnsAtRim(int circle, Wall wall) const

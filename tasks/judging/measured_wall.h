@@ -97,6 +97,9 @@ struct MeasuredWalls {
     [[nodiscard]] bool hasOnePlace(int circle, Wall wall) const;
     /// Whether all of them that turn it do so when its rim is there.
     [[nodiscard]] bool turnsAtRim(int circle, Wall wall) const;
+    /// Where that wall turns a circle of that \p radius, of its centre from the wall, m: as near as
+    /// the hits show, if one place would do for all of them, and else at its rim.
+    [[nodiscard]] double placeOf(int circle, Wall wall, double radius) const;
 
     /// Whether that circle is known to be turned by \p wall, far from it, when its centre is
     /// \p distance from it, m.
@@ -109,7 +112,10 @@ struct MeasuredWalls {
     std::vector<WallHit>
         corners{};               ///< of those hits both parts should turn; \c along tells the other
     std::vector<WallHit> slow{}; ///< at each wall, with an e of the middle
-    std::vector<WallHit> far{};  ///< of circles that are turned at once: two from far away
+    /// At each wall, of circles that are not turned at their rim, where radii are varied: all
+    /// circles are as large, or as small.
+    std::vector<WallHit> alike{};
+    std::vector<WallHit> far{};    ///< of circles that are turned at once: two from far away
     std::vector<WallHit> middle{}; ///< and one from the middle to each wall where they are
     std::vector<LentWall> lent{};  ///< where nothing is answered, if another being there is
     std::vector<Drop> drops{};
@@ -117,6 +123,16 @@ struct MeasuredWalls {
     double blur = 1e-3;        ///< of back and along: how far gravity blurs them
 
 private:
+    /// Between which places, from a wall, m, all answered hits of a circle were turned.
+    struct Between {
+        double from = 0.0;
+        double to = 0.0;
+        /// Else no one place would do for all.
+        [[nodiscard]] bool isOnePlace() const { return from <= to + 1e-9; }
+    };
+    /// \param radii  0: of its centre; 1: of its rim
+    [[nodiscard]] Between between(int circle, Wall wall, double radii) const;
+
     /// Marks those of its hits that are answered far beyond a wall, some here and some there.
     void findLost(int circle);
 };

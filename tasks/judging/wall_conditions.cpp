@@ -82,15 +82,7 @@ private:
     {
         if (!(hit.turned || hit.held) || hit.isFar())
             return false;
-        const MeasuredWalls &walls = m_own.walls();
-        const auto other =
-            std::find_if(walls.hits.begin(), walls.hits.end(), [&](const WallHit &one) {
-                return one.circle == hit.circle && one.wall == hit.wall && one.turned;
-            });
-        const bool isElsewhere = other != walls.hits.end()
-                                 && walls.hasOnePlace(hit.circle, hit.wall)
-                                 && !walls.turnsAtRim(hit.circle, hit.wall);
-        const double place = isElsewhere ? std::min(other->reached, hit.radius) : hit.radius;
+        const double place = m_own.walls().placeOf(hit.circle, hit.wall, hit.radius);
         return hit.before > place - 1.5 * std::abs(hit.travel);
     }
 

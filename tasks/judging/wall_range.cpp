@@ -103,6 +103,18 @@ WallHit WallRange::shoot(int circle, Wall wall, double e, int place, bool corner
     return hit;
 }
 
+WallHit WallRange::shootAmongAlike(int circle, Wall wall, double e, bool large) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e};
+    hit.radius = hit.otherRadius = large ? largeRadius() : m_ground.walls.radii.low;
+    hit.stage = stageOf(hit, speedOf(circle, 0), 0.29, {});
+    // From where the large ones start.
+    Circle &c = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body;
+    c.position -= 2.4 * (largeRadius() - hit.radius) * outwardNormal(wall);
+    watch(hit);
+    return hit;
+}
+
 bool WallRange::passesBeside(const WallHit &corner) const
 {
     const Vec2 n = outwardNormal(corner.wall);

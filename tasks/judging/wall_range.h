@@ -31,6 +31,9 @@ public:
     ///               circle is the larger one, of the second the other, where radii are varied
     [[nodiscard]] WallHit shoot(int circle, Wall wall, double e, int place, bool corner) const;
 
+    /// As the first of the two, while all circles are as large, or all as small.
+    [[nodiscard]] WallHit shootAmongAlike(int circle, Wall wall, double e, bool large) const;
+
     /// From the middle, for circles that are turned as soon as they are shot from near the wall.
     [[nodiscard]] WallHit comeFromMiddle(int circle, Wall wall, double e) const;
 

@@ -161,13 +161,15 @@ private:
     [[nodiscard]] bool fitsAll(const WallLength &reach, int circle,
                                const std::set<Wall> &walls) const
     {
-        return std::all_of(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
+        const auto fits = [&](const WallHit &hit) {
             if (hit.circle != circle || !hit.isAnswered() || !walls.contains(hit.wall))
                 return true;
             // Who is held at the rim has not come to where it would be turned.
             const double distance = reach.distance(hit);
             return hit.held && hit.fits(hit.radius) ? distance < hit.reached : hit.fits(distance);
-        });
+        };
+        return std::all_of(m_own.hits.begin(), m_own.hits.end(), fits)
+               && std::all_of(m_own.alike.begin(), m_own.alike.end(), fits);
     }
 
     /// That it is turned before it has flown a step.
@@ -214,12 +216,14 @@ private:
         std::set<double> radii;
         double nearest = 0.0;
         double farthest = std::numeric_limits<double>::infinity();
-        for (const WallHit &hit : m_own.hits) {
-            if (hit.circle != circle || !walls.contains(hit.wall) || !hit.isAnswered())
-                continue;
-            radii.insert(hit.radius);
-            nearest = std::max(nearest, hit.reached);
-            farthest = std::min(farthest, hit.before + hit.travel);
+        for (const auto *hits : {&m_own.hits, &m_own.alike}) {
+            for (const WallHit &hit : *hits) {
+                if (hit.circle != circle || !walls.contains(hit.wall) || !hit.isAnswered())
+                    continue;
+                radii.insert(hit.radius);
+                nearest = std::max(nearest, hit.reached);
+                farthest = std::min(farthest, hit.before + hit.travel);
+            }
         }
         if (radii.size() < 2 || nearest > farthest)
             return std::nullopt;
