@@ -3297,12 +3297,12 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
     <message>
         <source>Circle %1 does not move as its velocity says
 
-At %2 s of your own scene it moves by %3 m in a step of %4 s, against its velocity, which is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
+At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
 
 Through this, walls and hits cannot be judged yet.</source>
         <translation>لا تتحرك الدائرة ⁨%1⁩ كما تقول سرعتها
 
-عند ⁦%2 s⁩ من مشهدك تتحرك بمقدار ⁦%3 m⁩ في خطوة مدتها ⁦%4 s⁩، عكس سرعتها التي ما زالت سرعة البداية ⁦%5 m/s⁩. والبرنامج الذي يحفظ السرعات في متغيرات خاصة به يجب أن يسندها إلى الدائرتين أيضًا، مثل ⁦`circle%1.velocity`⁩.
+عند ⁦%2 s⁩ من مشهدك تتحرك بمقدار ⁦%3 m⁩ في خطوة مدتها ⁦%4 s⁩، وما زالت سرعتها سرعة البداية ⁦%5 m/s⁩. والبرنامج الذي يحفظ السرعات في متغيرات خاصة به يجب أن يسندها إلى الدائرتين أيضًا، مثل ⁦`circle%1.velocity`⁩.
 
 وبسبب هذا لا يمكن الحكم على الجدران والتصادمات بعد.</translation>
     </message>

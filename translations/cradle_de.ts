@@ -3273,12 +3273,12 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
     <message>
         <source>Circle %1 does not move as its velocity says
 
-At %2 s of your own scene it moves by %3 m in a step of %4 s, against its velocity, which is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
+At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
 
 Through this, walls and hits cannot be judged yet.</source>
         <translation>Kreis %1 bewegt sich anders, als seine Geschwindigkeit sagt
 
-Bei %2 s deiner eigenen Szene bewegt er sich in einem Schritt von %4 s um %3 m, gegen seine Geschwindigkeit, die noch die %5 m/s vom Start ist. Ein Programm, das Geschwindigkeiten in eigenen Variablen hält, muss sie auch den Kreisen zuweisen, etwa `circle%1.velocity`.
+Bei %2 s deiner eigenen Szene bewegt er sich in einem Schritt von %4 s um %3 m; seine Geschwindigkeit ist noch die %5 m/s vom Start. Ein Programm, das Geschwindigkeiten in eigenen Variablen hält, muss sie auch den Kreisen zuweisen, etwa `circle%1.velocity`.
 
 Dadurch lassen sich Wände und Stöße noch nicht beurteilen.</translation>
     </message>

@@ -3273,12 +3273,12 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
     <message>
         <source>Circle %1 does not move as its velocity says
 
-At %2 s of your own scene it moves by %3 m in a step of %4 s, against its velocity, which is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
+At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
 
 Through this, walls and hits cannot be judged yet.</source>
         <translation>Le cercle %1 ne bouge pas comme le dit sa vitesse
 
-À %2 s de votre propre scène, il se déplace de %3 m en un pas de %4 s, à l&apos;opposé de sa vitesse, qui est encore celle du départ, %5 m/s. Un programme qui garde des vitesses dans ses propres variables doit aussi les donner aux cercles, par exemple à `circle%1.velocity`.
+À %2 s de votre propre scène, il se déplace de %3 m en un pas de %4 s ; sa vitesse est encore celle du départ, %5 m/s. Un programme qui garde des vitesses dans ses propres variables doit aussi les donner aux cercles, par exemple à `circle%1.velocity`.
 
 De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translation>
     </message>

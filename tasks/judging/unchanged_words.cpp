@@ -44,19 +44,27 @@ void look(const World &world, const Preset &scene, std::vector<Seen> &all)
 /// What was seen of a circle that moves.
 struct Course {
     bool isSame = true; ///< its velocity
-    bool wasForward = false;
-    int backwards = 0; ///< steps, the last ones
+    Vec2 forward{};   ///< way of a step: that of the velocity of the start or, of what rests there,
+                      ///< its first one, m
+    int forwards = 0; ///< steps
+    int backwards = 0; ///< the last ones, after these
 
-    /// \param share  how far the step went along the velocity of the start, of v Δt
-    void take(double share)
+    /// \param way  of a step, m
+    void take(Vec2 way)
     {
-        wasForward |= share > 0.9;
-        backwards = wasForward && share < -0.1 ? backwards + 1 : 0;
+        if (forward == Vec2{})
+            forward = way;
+        if (forward == Vec2{})
+            return;
+        const double share = dot(way, forward) / lengthSquared(forward);
+        forwards += share > 0.9;
+        backwards = forwards > 0 && share < -0.1 ? backwards + 1 : 0;
     }
-    [[nodiscard]] bool isTold() const
+    /// \param rests  at the start: then a hit gives it a way of its own, not a push now and then
+    [[nodiscard]] bool isTold(bool rests) const
     {
         constexpr int someSteps = 10; // what is put out of a wall goes back in one
-        return isSame && backwards >= someSteps;
+        return isSame && backwards >= someSteps && (!rests || forwards >= someSteps);
     }
 };
 
@@ -68,7 +76,12 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
     if (!probe.runs())
         return std::nullopt;
     const Preset &scene = probe.start();
-    std::vector<Course> all(scene.circles.size());
+    std::vector<Course> all;
+    for (const auto &each : scene.circles) {
+        const Vec2 v = each.body.velocity;
+        // What rests is moved by a hit only.
+        all.push_back({.isSame = v != Vec2{} || ground.pair.asked, .forward = scene.timestep * v});
+    }
     const auto isAnySame = [&] {
         return std::any_of(all.begin(), all.end(), [](const Course &c) { return c.isSame; });
     };
@@ -80,9 +93,9 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
             const Circle &after = probe.world().circles[i];
             const Vec2 v = scene.circles[i].body.velocity;
             const Vec2 way = after.position - before[i].position;
-            all[i].isSame &= after.velocity == v && v != Vec2{};
-            all[i].take(dot(way, v) / (scene.timestep * lengthSquared(v)));
-            if (!all[i].isTold())
+            all[i].isSame &= after.velocity == v;
+            all[i].take(way);
+            if (!all[i].isTold(v == Vec2{}))
                 continue;
             const int circle = static_cast<int>(i);
             return LawDeviation{
@@ -90,8 +103,8 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
                 .message =
                     UnchangedText::tr(
                         "Circle %1 does not move as its velocity says\n\nAt %2 s of your own "
-                        "scene it moves by %3 m in a step of %4 s, against its velocity, which is "
-                        "still the %5 m/s of the start. A program that keeps velocities in "
+                        "scene it moves by %3 m in a step of %4 s; its velocity is still "
+                        "the %5 m/s of the start. A program that keeps velocities in "
                         "variables of its own must also assign them to the circles, as to "
                         "`circle%1.velocity`.\n\nThrough this, walls and hits cannot be judged "
                         "yet.")
