@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::optional<FlightSaid> way() const
     {
         if (!hasPull() && right().isWayLinear) {
-            if (isVelocityOdd())
+            if (isVelocityOdd() || isEveryWayRight())
                 return std::nullopt;
             if (!flight(0).isWayLinear)
                 return oddWay();
@@ -105,6 +105,26 @@ private:
                 return true;
         }
         return false;
+    }
+
+    /// Whether with every timestep each way that was seen is the one asked for of the velocity
+    /// before that step, and what becomes of the velocity, which is odd, hides its share.
+    [[nodiscard]] bool isEveryWayRight() const
+    {
+        bool isHidden = false;
+        for (std::size_t at = 0; at < m_ground.timesteps.size(); ++at) {
+            const double h = m_ground.timesteps[at];
+            const Flight &f = flight(at);
+            const Flight &asked = m_right.at(gravity(), h, m_i);
+            const auto isRightWay = [&](const Flight::Step &step) {
+                const Motion next = asked.after({.position = {}, .velocity = step.velocity}, h);
+                return length(step.way - next.position) < 1e-8;
+            };
+            if (!isRightWay(f.fromRest) || !std::all_of(f.seen.begin(), f.seen.end(), isRightWay))
+                return false;
+            isHidden |= !f.isTurnLinear || f.resetsX || f.resetsY;
+        }
+        return isHidden;
     }
 
     /// Of a part of the position of which the velocity has no share, where it goes so far, m.
