@@ -5353,6 +5353,30 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>بجانب جدار تتغير سرعة دائرة أخرى</translation>
     </message>
     <message>
+        <source>Through this, walls and hits cannot be judged yet.</source>
+        <translation>بسبب ذلك لا يمكن بعد الحكم على الجدران والتصادمات.</translation>
+    </message>
+    <message>
+        <source>Through this the walls cannot be judged yet.</source>
+        <translation>بسبب ذلك لا يمكن بعد الحكم على الجدران.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves out steps of %who at the floor</source>
+        <translation>عند الأرضية تُسقط الجاذبية خطوات من %who</translation>
+    </message>
+    <message>
+        <source>Gravity acts twice in a step of %who at the floor</source>
+        <translation>عند الأرضية تؤثر الجاذبية مرتين في خطوة من %who</translation>
+    </message>
+    <message>
+        <source>Thrown down with %1 m/s, circle %2 was turned by the floor in step %3. In that step its velocity went from %4 to %5 m/s; %6 m/s is right: turned round, and with g Δt once. Gravity acts once in every step, also where a circle touches the floor.</source>
+        <translation>رُميت الدائرة ⁨%2⁩ نحو الأسفل بسرعة ⁦%1 m/s⁩ فردّتها الأرضية في الخطوة ⁨%3⁩. في تلك الخطوة تغيّرت سرعتها من ⁦%4⁩ إلى ⁦%5 m/s⁩؛ والصحيح ⁦%6 m/s⁩: معكوسة ومعها ⁦g Δt⁩ مرة واحدة. تؤثر الجاذبية مرة واحدة في كل خطوة، حتى حيث تلمس الدائرة الأرضية.</translation>
+    </message>
+    <message>
+        <source>Thrown down with %1 m/s, circle %2 was turned by the floor in step %3. In step %7 its velocity went from %4 to %5 m/s; %6 m/s is right. Gravity acts once in every step, also where a circle touches the floor.</source>
+        <translation>رُميت الدائرة ⁨%2⁩ نحو الأسفل بسرعة ⁦%1 m/s⁩ فردّتها الأرضية في الخطوة ⁨%3⁩. وفي الخطوة ⁨%7⁩ تغيّرت سرعتها من ⁦%4⁩ إلى ⁦%5 m/s⁩؛ والصحيح ⁦%6 m/s⁩. تؤثر الجاذبية مرة واحدة في كل خطوة، حتى حيث تلمس الدائرة الأرضية.</translation>
+    </message>
+    <message>
         <source>Through this the hits of the two circles cannot be judged yet.</source>
         <translation>بسبب ذلك لا يمكن بعد الحكم على تصادمات الدائرتين.</translation>
     </message>

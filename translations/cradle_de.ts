@@ -5277,6 +5277,30 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Neben einer Wand ändert sich die Geschwindigkeit eines anderen Kreises</translation>
     </message>
     <message>
+        <source>Through this, walls and hits cannot be judged yet.</source>
+        <translation>Dadurch lassen sich Wände und Stöße noch nicht beurteilen.</translation>
+    </message>
+    <message>
+        <source>Through this the walls cannot be judged yet.</source>
+        <translation>Dadurch lassen sich die Wände noch nicht beurteilen.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves out steps of %who at the floor</source>
+        <translation>Am Boden lässt die Schwerkraft Schritte aus, für %who</translation>
+    </message>
+    <message>
+        <source>Gravity acts twice in a step of %who at the floor</source>
+        <translation>Am Boden wirkt die Schwerkraft in einem Schritt zweimal, für %who</translation>
+    </message>
+    <message>
+        <source>Thrown down with %1 m/s, circle %2 was turned by the floor in step %3. In that step its velocity went from %4 to %5 m/s; %6 m/s is right: turned round, and with g Δt once. Gravity acts once in every step, also where a circle touches the floor.</source>
+        <translation>Mit %1 m/s nach unten geworfen, kehrte Kreis %2 in Schritt %3 am Boden um. In diesem Schritt ging seine Geschwindigkeit von %4 auf %5 m/s; richtig ist %6 m/s: umgekehrt und einmal mit g Δt. Die Schwerkraft wirkt in jedem Schritt einmal, auch wo ein Kreis den Boden berührt.</translation>
+    </message>
+    <message>
+        <source>Thrown down with %1 m/s, circle %2 was turned by the floor in step %3. In step %7 its velocity went from %4 to %5 m/s; %6 m/s is right. Gravity acts once in every step, also where a circle touches the floor.</source>
+        <translation>Mit %1 m/s nach unten geworfen, kehrte Kreis %2 in Schritt %3 am Boden um. In Schritt %7 ging seine Geschwindigkeit von %4 auf %5 m/s; richtig ist %6 m/s. Die Schwerkraft wirkt in jedem Schritt einmal, auch wo ein Kreis den Boden berührt.</translation>
+    </message>
+    <message>
         <source>Through this the hits of the two circles cannot be judged yet.</source>
         <translation>Dadurch lassen sich die Stöße der beiden Kreise noch nicht beurteilen.</translation>
     </message>

@@ -5277,6 +5277,30 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Près d&apos;une paroi, la vitesse d&apos;un autre cercle change</translation>
     </message>
     <message>
+        <source>Through this, walls and hits cannot be judged yet.</source>
+        <translation>À cause de cela, ni les parois ni les chocs ne peuvent encore être jugés.</translation>
+    </message>
+    <message>
+        <source>Through this the walls cannot be judged yet.</source>
+        <translation>À cause de cela, les parois ne peuvent pas encore être jugées.</translation>
+    </message>
+    <message>
+        <source>Gravity leaves out steps of %who at the floor</source>
+        <translation>Au sol, la pesanteur saute des pas, pour %who</translation>
+    </message>
+    <message>
+        <source>Gravity acts twice in a step of %who at the floor</source>
+        <translation>Au sol, la pesanteur agit deux fois dans un pas, pour %who</translation>
+    </message>
+    <message>
+        <source>Thrown down with %1 m/s, circle %2 was turned by the floor in step %3. In that step its velocity went from %4 to %5 m/s; %6 m/s is right: turned round, and with g Δt once. Gravity acts once in every step, also where a circle touches the floor.</source>
+        <translation>Lancé vers le bas à %1 m/s, le cercle %2 a été renvoyé par le sol au pas %3. Dans ce pas, sa vitesse est passée de %4 à %5 m/s ; %6 m/s serait juste : retournée, et une fois avec g Δt. La pesanteur agit une fois dans chaque pas, même là où un cercle touche le sol.</translation>
+    </message>
+    <message>
+        <source>Thrown down with %1 m/s, circle %2 was turned by the floor in step %3. In step %7 its velocity went from %4 to %5 m/s; %6 m/s is right. Gravity acts once in every step, also where a circle touches the floor.</source>
+        <translation>Lancé vers le bas à %1 m/s, le cercle %2 a été renvoyé par le sol au pas %3. Au pas %7, sa vitesse est passée de %4 à %5 m/s ; %6 m/s serait juste. La pesanteur agit une fois dans chaque pas, même là où un cercle touche le sol.</translation>
+    </message>
+    <message>
         <source>Through this the hits of the two circles cannot be judged yet.</source>
         <translation>À cause de cela, les chocs des deux cercles ne peuvent pas encore être jugés.</translation>
     </message>

@@ -4,6 +4,7 @@
 
 #include "tasks/judging/condition_words.h"
 #include "tasks/judging/fault_lines.h"
+#include "tasks/judging/floor_fall_words.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/last_assignment.h"
 #include "tasks/judging/own_meeting_words.h"
@@ -70,28 +71,50 @@ public:
             take(aspect, said.deviations);
             if (aspect == Aspect::Motion)
                 m_motion = std::move(said);
-            if (aspect == Aspect::Walls)
+            if (aspect == Aspect::Walls) {
+                takeFallAtFloor();
                 takeOwnWalls();
+            }
         }
-        tellUnseenHits();
+        tellUnseen();
         takeMissedMeeting();
         takeRestitution();
         return std::move(m_findings);
     }
 
 private:
-    /// That nothing is known of hits yet, behind what is wrong with the motion.
-    void tellUnseenHits()
+    /// That nothing is known of walls or hits yet, behind what is wrong with the motion.
+    void tellUnseen()
     {
         const auto at = std::find_if(m_findings.rbegin(), m_findings.rend(),
                                      [](const Finding &f) { return f.aspect == Aspect::Motion; });
+        if (at == m_findings.rend())
+            return;
+        const bool walls = hasUnseenWalls();
+        const bool hits = hasUnseenHits();
+        if (!walls && !hits)
+            return;
+        at->message += QStringLiteral("\n\n");
+        at->message +=
+            walls && hits ? JudgeText::tr("Through this, walls and hits cannot be judged yet.")
+            : walls
+                ? JudgeText::tr("Through this the walls cannot be judged yet.")
+                : JudgeText::tr("Through this the hits of the two circles cannot be judged yet.");
+    }
+
+    /// Whether a failed check asks for walls, and at none is a circle known to come to them.
+    [[nodiscard]] bool hasUnseenWalls() const
+    {
+        return m_deviations.isAsked(Aspect::Walls) && !m_right.walls().judged.empty()
+               && (m_motion.isOfPlace || m_own.walls().judged.empty());
+    }
+
+    [[nodiscard]] bool hasUnseenHits() const
+    {
         const auto isMet = [](const PairHit &hit) { return hit.isMet(); };
         const std::vector<PairHit> &right = m_right.pair().contacts;
-        if (at != m_findings.rend() && m_ground.pair.asked && !m_own.pair().isJudged
-            && std::any_of(right.begin(), right.end(), isMet))
-            at->message +=
-                QStringLiteral("\n\n")
-                + JudgeText::tr("Through this the hits of the two circles cannot be judged yet.");
+        return m_ground.pair.asked && !m_own.pair().isJudged
+               && std::any_of(right.begin(), right.end(), isMet);
     }
 
     /// The e of the own scene, after what else is wrong with the start.
@@ -127,6 +150,16 @@ private:
             return;
         if (const auto other = ownWallShare(m_task, m_runs, m_checks))
             take(Aspect::Walls, {*other});
+    }
+
+    /// That gravity acts wrongly in the steps of hits at the floor, where walls fail and nothing
+    /// else is known of it.
+    void takeFallAtFloor()
+    {
+        if (!m_deviations.isAsked(Aspect::Walls) || !m_findings.empty())
+            return;
+        if (const auto fall = fallAtFloor(m_submission.program(), m_ground, m_own.flight()))
+            take(Aspect::Walls, {*fall});
     }
 
     /// Behind what is said of the start, before all else.

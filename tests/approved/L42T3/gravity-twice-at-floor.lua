@@ -1,0 +1,31 @@
+function on_load()
+  gravity = vec(0, -9.81)
+  circle1.velocity = vec(2, 0)
+end
+
+function on_update(timestep)
+  local old1 = circle1.position
+
+  -- move
+  circle1.position = circle1.position + circle1.velocity * timestep
+  circle1.velocity = circle1.velocity + gravity * timestep
+
+  -- walls circle 1
+  if circle1.position.x + circle1.radius > square.right then
+    circle1.position = old1
+    circle1.velocity = vec(-circle1.velocity.x, circle1.velocity.y)
+  end
+  if circle1.position.x - circle1.radius < square.left then
+    circle1.position = old1
+    circle1.velocity = vec(-circle1.velocity.x, circle1.velocity.y)
+  end
+  if circle1.position.y + circle1.radius > square.top then
+    circle1.position = old1
+    circle1.velocity = vec(circle1.velocity.x, -circle1.velocity.y)
+  end
+  if circle1.position.y - circle1.radius < square.bottom then
+    circle1.position = old1
+    circle1.velocity = circle1.velocity + gravity * timestep
+    circle1.velocity = vec(circle1.velocity.x, -circle1.velocity.y)
+  end
+end
