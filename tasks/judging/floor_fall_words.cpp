@@ -160,12 +160,12 @@ QString wordsOf(const OddStep &odd)
                             "%3. In step %7 its velocity went from %4 to %5 m/s; %6 m/s is right. "
                             "Gravity acts once in every step, also where a circle touches the "
                             "floor.");
-    return headline + QStringLiteral("\n\n")
-           + seen.arg(brief(odd.thrown))
-                 .arg(odd.circle + 1)
-                 .arg(odd.hit)
-                 .arg(brief(odd.was), briefBeside(odd.is, odd.right),
-                      briefBeside(odd.right, odd.is), QString::number(odd.step));
+    const QString told =
+        seen.arg(brief(odd.thrown))
+            .arg(odd.circle + 1)
+            .arg(odd.hit)
+            .arg(brief(odd.was), briefBeside(odd.is, odd.right), briefBeside(odd.right, odd.is));
+    return headline + QStringLiteral("\n\n") + (odd.isHit() ? told : told.arg(odd.step));
 }
 
 } // namespace
