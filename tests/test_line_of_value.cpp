@@ -192,6 +192,7 @@ void TestLineOfValue::findingMarksTheLine_data()
     helper("where walls turn: no radius", "square.half_width - c.radius", "square.half_width");
     helper("radii of one circle", "a.radius + b.radius", "2 * a.radius");
     helper("greater radius", "a.radius + b.radius", "math.max(a.radius, b.radius)");
+    helper("where walls turn: a number", "square.half_width - c.radius", "3.9 - c.radius");
     helper("returned, not normalised", "return way:normalized()", "return way * 1.1");
     helper("relative velocity, sum", "local rel = a.velocity - b.velocity",
            "local rel = a.velocity + b.velocity");

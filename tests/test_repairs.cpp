@@ -55,6 +55,7 @@ void TestRepairs::mistakeIsUndone_data()
     row("x = 3 * u", "x = 0.5 * u");
     row("x = 3 * u", "x = restitution * u");
     row("x = 2 * u", "x = (1 + restitution) * u");
+    row("x = 3.9 - u", "x = square.half_width - u");
     row("x = 2 * restitution * u", "x = 1 + restitution * u");
     row("x = (2 - restitution) * u", "x = (1 + restitution) * u");
     row("x = r ^ 2", "x = r ^ 3");

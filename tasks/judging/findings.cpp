@@ -54,6 +54,8 @@ public:
         take(Aspect::Start, m_deviations.of(m_own, Aspect::Start));
         if (const auto unwritten = unwrittenVelocity(m_submission.program(), m_ground)) {
             add(*unwritten, {}, unwritten->message);
+            // Where the place is written the velocity is not.
+            markLastAssignment(m_findings.back(), unwritten->moment, m_task, m_submission);
             return std::move(m_findings);
         }
         for (const Aspect aspect :

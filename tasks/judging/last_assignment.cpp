@@ -6,6 +6,7 @@
 #include "tasks/judging/program_statements.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cradle {
 
@@ -31,6 +32,69 @@ bool setsWhatIsGiven(const ProgramLines &program, int line)
     return isGiven;
 }
 
+/// The only line of whose numbers hangs what a circle or the scene starts with, where another,
+/// \p assigning, gives it on; 0 if there is none.
+int numberLine(const ProgramLines &program, int assigning, const Moment &moment, const Task &task,
+               const Submission &submission)
+{
+    constexpr int mostTried = 100;
+    const int circle = moment.circles.empty() ? -1 : moment.circles.front();
+    const auto startOf = [&](const QString &source) {
+        StudentScript script(source, {.quiet = true, .silent = true, .locked = task.locked});
+        Preset scene = submission.preset;
+        const bool starts = !script.begin(scene);
+        return starts ? std::optional(scene) : std::nullopt;
+    };
+    const auto isNumber = [](const ProgramToken &token) {
+        return token.kind == ProgramToken::Kind::Number;
+    };
+    const auto hasNumber = [&](int line) {
+        const auto &tokens = program.tokensOf(line);
+        return std::any_of(tokens.begin(), tokens.end(),
+                           [&](std::size_t i) { return isNumber(program.tokens()[i]); });
+    };
+    if (assigning == 0 || hasNumber(assigning))
+        return 0;
+    const auto valueOf = [&](const Preset &scene) {
+        const auto i = static_cast<std::size_t>(std::max(circle, 0));
+        const Circle body = i < scene.circles.size() ? scene.circles[i].body : Circle{};
+        switch (*moment.start) {
+        case Assignment::Field::Position:
+            return body.position;
+        case Assignment::Field::Velocity:
+            return body.velocity;
+        case Assignment::Field::Radius:
+            return Vec2{body.radius, 0.0};
+        case Assignment::Field::Density:
+            return Vec2{body.density, 0.0};
+        case Assignment::Field::Gravity:
+            return scene.gravity;
+        case Assignment::Field::Restitution:
+            return Vec2{scene.restitution, 0.0};
+        }
+        return Vec2{};
+    };
+    const auto own = startOf(program.source());
+    int found = 0;
+    int tried = 0;
+    for (const ProgramToken &token : program.tokens()) {
+        if (!isNumber(token) || token.line == found)
+            continue;
+        if (++tried > mostTried)
+            return 0;
+        QString changed = program.source();
+        changed.replace(token.start, token.end() - token.start,
+                        QStringLiteral("(%1 + 0.125)").arg(token.text));
+        const auto other = startOf(changed);
+        if (!other || !own || valueOf(*other) == valueOf(*own))
+            continue;
+        if (found != 0)
+            return 0;
+        found = token.line;
+    }
+    return found;
+}
+
 /// The assignment that gave a circle or the scene a wrong value before the first step, or the
 /// call that told it which.
 void markStart(Finding &finding, const Moment &moment, const Task &task,
@@ -52,6 +116,10 @@ void markStart(Finding &finding, const Moment &moment, const Task &task,
     }
     if (finding.line == 0 && circle < 0)
         finding.line = hidingLine(*submission.script, *moment.start);
+    if (const int line = numberLine(program, finding.line, moment, task, submission)) {
+        finding.line = line;
+        finding.calls.clear();
+    }
 }
 
 } // namespace

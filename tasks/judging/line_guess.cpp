@@ -163,7 +163,9 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         const PushOrigin push(lines, ran);
         if (const auto given = push.ofGiven(acting, assignment.calls))
             return *given;
-        const int added = deviation.suspect == Suspect::Answer ? push.ofAdded(acting) : 0;
+        const bool isAdded =
+            deviation.suspect == Suspect::Answer || deviation.topic == Topic::Shares;
+        const int added = isAdded ? push.ofAdded(acting) : 0;
         if (added > 0 && !isRightForOther(added))
             return added;
     }

@@ -55,7 +55,9 @@ Quantities::Quantities(const NamesAtHand &names, const QStringList &timesteps, A
         if (names.masses().size() == 2)
             m_all +=
                 {QStringLiteral("%1 * %2 / (%1 + %2)").arg(names.masses()[0], names.masses()[1]),
-                 QStringLiteral("%1 + %2").arg(names.masses()[0], names.masses()[1])};
+                 QStringLiteral("%1 + %2").arg(names.masses()[0], names.masses()[1]),
+                 QStringLiteral("%2 / (%1 + %2)").arg(names.masses()[0], names.masses()[1]),
+                 QStringLiteral("%1 / (%1 + %2)").arg(names.masses()[0], names.masses()[1])};
         break;
     case Aspect::Start:
         break;
@@ -149,6 +151,8 @@ void Quantities::addMasses()
     for (const NamedCircle &circle : m_names.circles()) {
         const QString mass = QStringLiteral("%1 * %2 ^ 3").arg(circle.density, circle.radius);
         m_all += {mass, QStringLiteral("1 / (%1)").arg(mass)};
+        const QString volume = QStringLiteral("4 / 3 * math.pi * %1 ^ 3").arg(circle.radius);
+        m_sound += {volume, mass, QStringLiteral("1000 * %1 * %2").arg(circle.density, volume)};
     }
 }
 

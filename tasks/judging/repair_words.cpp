@@ -31,6 +31,9 @@ void changeNumber(RepairList &repairs, std::size_t i)
         for (const QString &body : repairs.program().bodiesNear(number.line))
             repairs.replace(number, body + QStringLiteral(".radius"));
     }
+    // A wall as a number.
+    if (number.text.toDouble() > 3.0 && number.text.toDouble() < 5.0)
+        repairs.replace(number, QStringLiteral("square.half_width"));
     // 2 e or 2 - e for 1 + e
     if (number.text == QLatin1String("2") && (repairs.is(i + 1, "*") || repairs.is(i + 1, "-"))
         && repairs.is(i + 2, "restitution"))

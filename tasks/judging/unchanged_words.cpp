@@ -111,8 +111,7 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
                         .arg(circle + 1)
                         .arg(brief(probe.world().time), brief(way), briefTimestep(scene.timestep),
                              brief(v)),
-                .moment = {.stage = {ground.own, false}, .circles = {circle}},
-                .suspect = Suspect::Omission};
+                .moment = {.stage = {ground.own, false}, .circles = {circle}, .isPosition = true}};
         }
     }
     return std::nullopt;
