@@ -114,13 +114,22 @@ bool HitKinds::areMasses(const Kinds &hits) const
 }
 
 /// Whether what was found is that what parts two circles is not shared whole, and it is so in all
-/// of \p hits that do not come out right.
+/// of \p hits that do not come out right: which of unequal ones, at most by chance, are few.
 bool HitKinds::areShares(const Kinds &hits) const
 {
-    return m_said.deviations.front().topic == Topic::Shares
-           && std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
-                  return one.isRight || isUnshared(*one.hit);
-              });
+    if (m_said.deviations.front().topic != Topic::Shares)
+        return false;
+    std::ptrdiff_t unequal = 0;
+    std::ptrdiff_t right = 0;
+    for (const JudgedMeeting &one : hits) {
+        if (!one.isRight && !isUnshared(*one.hit))
+            return false;
+        if (!areAlike(one.hit->meeting)) {
+            ++unequal;
+            right += one.isRight ? 1 : 0;
+        }
+    }
+    return 5 * right <= unequal;
 }
 
 /// Whether what was found is that one circle leaves as it should, and it does in \p hit.
