@@ -3299,7 +3299,7 @@ In your own scene it has %2 m/s from the start to the end of %3 s, though it com
 
 At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
 
-Through this, walls and hits cannot be judged yet.</source>
+Until this is right, no more can be said of walls and hits.</source>
         <translation>لا تتحرك الدائرة ⁨%1⁩ كما تقول سرعتها
 
 عند ⁦%2 s⁩ من مشهدك تتحرك بمقدار ⁦%3 m⁩ في خطوة مدتها ⁦%4 s⁩، وما زالت سرعتها سرعة البداية ⁦%5 m/s⁩. والبرنامج الذي يحفظ السرعات في متغيرات خاصة به يجب أن يسندها إلى الدائرتين أيضًا، مثل ⁦`circle%1.velocity`⁩.
@@ -4529,8 +4529,8 @@ Both circles flew with %1 m/s along the line of centres, the one behind %2 m/s f
         <translation>في أول ⁦%1 s⁩ منه لا تقترب حافتاهما إلى أقل من ⁦%2 m⁩، وذلك عند ⁦%3 s⁩. انظر إلى المواضع والسرعات التي تبدآن بها.</translation>
     </message>
     <message>
-        <source>The circles of your scene do not meet</source>
-        <translation>لا تلتقي دائرتا مشهدك</translation>
+        <source>The circles of your scene do not meet in its first %1 s</source>
+        <translation>لا تلتقي دائرتا مشهدك في أول ⁦%1 s⁩</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
@@ -5353,12 +5353,12 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>بجانب جدار تتغير سرعة دائرة أخرى</translation>
     </message>
     <message>
-        <source>Through this, walls and hits cannot be judged yet.</source>
-        <translation>بسبب ذلك لا يمكن بعد الحكم على الجدران والتصادمات.</translation>
+        <source>Until this is right, no more can be said of walls and hits.</source>
+        <translation>ما لم يصح هذا لا يمكن قول المزيد عن الجدران والتصادمات.</translation>
     </message>
     <message>
-        <source>Through this the walls cannot be judged yet.</source>
-        <translation>بسبب ذلك لا يمكن بعد الحكم على الجدران.</translation>
+        <source>Until this is right, no more can be said of the walls.</source>
+        <translation>ما لم يصح هذا لا يمكن قول المزيد عن الجدران.</translation>
     </message>
     <message>
         <source>Gravity leaves out steps of %who at the floor</source>
@@ -5377,8 +5377,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>رُميت الدائرة ⁨%2⁩ نحو الأسفل بسرعة ⁦%1 m/s⁩ فردّتها الأرضية في الخطوة ⁨%3⁩. وفي الخطوة ⁨%7⁩ تغيّرت سرعتها من ⁦%4⁩ إلى ⁦%5 m/s⁩؛ والصحيح ⁦%6 m/s⁩. تؤثر الجاذبية مرة واحدة في كل خطوة، حتى حيث تلمس الدائرة الأرضية.</translation>
     </message>
     <message>
-        <source>Through this the hits of the two circles cannot be judged yet.</source>
-        <translation>بسبب ذلك لا يمكن بعد الحكم على تصادمات الدائرتين.</translation>
+        <source>Until this is right, no more can be said of the hits of the two circles.</source>
+        <translation>ما لم يصح هذا لا يمكن قول المزيد عن تصادمات الدائرتين.</translation>
     </message>
     <message>
         <source>all at the very start of a run, none later</source>

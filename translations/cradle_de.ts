@@ -3275,12 +3275,12 @@ In deiner eigenen Szene hat er vom Start bis zum Ende von %3 s %2 m/s, obwohl er
 
 At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
 
-Through this, walls and hits cannot be judged yet.</source>
+Until this is right, no more can be said of walls and hits.</source>
         <translation>Kreis %1 bewegt sich anders, als seine Geschwindigkeit sagt
 
 Bei %2 s deiner eigenen Szene bewegt er sich in einem Schritt von %4 s um %3 m; seine Geschwindigkeit ist noch die %5 m/s vom Start. Ein Programm, das Geschwindigkeiten in eigenen Variablen hält, muss sie auch den Kreisen zuweisen, etwa `circle%1.velocity`.
 
-Dadurch lassen sich Wände und Stöße noch nicht beurteilen.</translation>
+Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</translation>
     </message>
     <message>
         <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
@@ -4469,8 +4469,8 @@ Beide Kreise flogen mit %1 m/s längs der Verbindungslinie der Mittelpunkte, der
         <translation>In ihren ersten %1 s kommen sich ihre Ränder nicht näher als %2 m, bei %3 s. Sieh nach, mit welchen Orten und Geschwindigkeiten sie beginnen.</translation>
     </message>
     <message>
-        <source>The circles of your scene do not meet</source>
-        <translation>Die Kreise deiner Szene treffen sich nicht</translation>
+        <source>The circles of your scene do not meet in its first %1 s</source>
+        <translation>Die Kreise deiner Szene treffen sich in den ersten %1 s nicht</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
@@ -5277,12 +5277,12 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Neben einer Wand ändert sich die Geschwindigkeit eines anderen Kreises</translation>
     </message>
     <message>
-        <source>Through this, walls and hits cannot be judged yet.</source>
-        <translation>Dadurch lassen sich Wände und Stöße noch nicht beurteilen.</translation>
+        <source>Until this is right, no more can be said of walls and hits.</source>
+        <translation>Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</translation>
     </message>
     <message>
-        <source>Through this the walls cannot be judged yet.</source>
-        <translation>Dadurch lassen sich die Wände noch nicht beurteilen.</translation>
+        <source>Until this is right, no more can be said of the walls.</source>
+        <translation>Bevor das stimmt, lässt sich über die Wände nichts Weiteres sagen.</translation>
     </message>
     <message>
         <source>Gravity leaves out steps of %who at the floor</source>
@@ -5301,8 +5301,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Mit %1 m/s nach unten geworfen, kehrte Kreis %2 in Schritt %3 am Boden um. In Schritt %7 ging seine Geschwindigkeit von %4 auf %5 m/s; richtig ist %6 m/s. Die Schwerkraft wirkt in jedem Schritt einmal, auch wo ein Kreis den Boden berührt.</translation>
     </message>
     <message>
-        <source>Through this the hits of the two circles cannot be judged yet.</source>
-        <translation>Dadurch lassen sich die Stöße der beiden Kreise noch nicht beurteilen.</translation>
+        <source>Until this is right, no more can be said of the hits of the two circles.</source>
+        <translation>Bevor das stimmt, lässt sich über die Stöße der beiden Kreise nichts Weiteres sagen.</translation>
     </message>
     <message>
         <source>all at the very start of a run, none later</source>

@@ -3275,7 +3275,7 @@ Dans votre propre scène il a %2 m/s du départ à la fin de %3 s, bien qu&apos;
 
 At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is still the %5 m/s of the start. A program that keeps velocities in variables of its own must also assign them to the circles, as to `circle%1.velocity`.
 
-Through this, walls and hits cannot be judged yet.</source>
+Until this is right, no more can be said of walls and hits.</source>
         <translation>Le cercle %1 ne bouge pas comme le dit sa vitesse
 
 À %2 s de votre propre scène, il se déplace de %3 m en un pas de %4 s ; sa vitesse est encore celle du départ, %5 m/s. Un programme qui garde des vitesses dans ses propres variables doit aussi les donner aux cercles, par exemple à `circle%1.velocity`.
@@ -4469,8 +4469,8 @@ Les deux cercles volaient à %1 m/s suivant la ligne des centres, celui de derri
         <translation>Pendant ses %1 premières secondes, leurs bords ne s&apos;approchent pas à moins de %2 m, à %3 s. Regarde avec quelles positions et quelles vitesses ils partent.</translation>
     </message>
     <message>
-        <source>The circles of your scene do not meet</source>
-        <translation>Les cercles de ta scène ne se rencontrent pas</translation>
+        <source>The circles of your scene do not meet in its first %1 s</source>
+        <translation>Les cercles de ta scène ne se rencontrent pas pendant les %1 premières secondes</translation>
     </message>
     <message>
         <source>Circle %5 came to the %1 with %2 m/s and has %3 m/s after the hit, still into it; %4 m/s is right.</source>
@@ -5277,12 +5277,12 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Près d&apos;une paroi, la vitesse d&apos;un autre cercle change</translation>
     </message>
     <message>
-        <source>Through this, walls and hits cannot be judged yet.</source>
-        <translation>À cause de cela, ni les parois ni les chocs ne peuvent encore être jugés.</translation>
+        <source>Until this is right, no more can be said of walls and hits.</source>
+        <translation>Tant que cela n&apos;est pas juste, on ne peut rien dire de plus des parois et des chocs.</translation>
     </message>
     <message>
-        <source>Through this the walls cannot be judged yet.</source>
-        <translation>À cause de cela, les parois ne peuvent pas encore être jugées.</translation>
+        <source>Until this is right, no more can be said of the walls.</source>
+        <translation>Tant que cela n&apos;est pas juste, on ne peut rien dire de plus des parois.</translation>
     </message>
     <message>
         <source>Gravity leaves out steps of %who at the floor</source>
@@ -5301,8 +5301,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Lancé vers le bas à %1 m/s, le cercle %2 a été renvoyé par le sol au pas %3. Au pas %7, sa vitesse est passée de %4 à %5 m/s ; %6 m/s serait juste. La pesanteur agit une fois dans chaque pas, même là où un cercle touche le sol.</translation>
     </message>
     <message>
-        <source>Through this the hits of the two circles cannot be judged yet.</source>
-        <translation>À cause de cela, les chocs des deux cercles ne peuvent pas encore être jugés.</translation>
+        <source>Until this is right, no more can be said of the hits of the two circles.</source>
+        <translation>Tant que cela n&apos;est pas juste, on ne peut rien dire de plus des chocs des deux cercles.</translation>
     </message>
     <message>
         <source>all at the very start of a run, none later</source>

@@ -63,14 +63,15 @@ std::optional<LawDeviation> constantDeviation(const MeasuredPair &own,
     const auto parts = [](const PairHit &one) {
         return one.slowness * alongParts(one.leftParts());
     };
-    // Of one that has the part that it should have, that is no fault.
-    const auto isRight = [&](double PairVelocities::*part) {
-        return std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
-            return std::abs(h.hit.leftParts().*part - h.right.*part) < constantBlur;
-        });
+    // Where one has the part that it should have, the other may just have lost its own.
+    const auto isLost = [&](double PairVelocities::*right, double PairVelocities::*other) {
+        return std::abs(hit.leftParts().*other) < constantBlur
+               && std::all_of(hits.begin(), hits.end(), [&](const EqualHit &h) {
+                      return std::abs(h.hit.leftParts().*right - h.right.*right) < constantBlur;
+                  });
     };
-    if (!isConstant(all, parts) || isRight(&PairVelocities::along1)
-        || isRight(&PairVelocities::along2)
+    if (!isConstant(all, parts) || isLost(&PairVelocities::along1, &PairVelocities::along2)
+        || isLost(&PairVelocities::along2, &PairVelocities::along1)
         || isConstant(hits, [](const EqualHit &h) { return alongParts(h.right); }))
         return std::nullopt;
     return responseDeviation(

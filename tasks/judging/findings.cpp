@@ -98,10 +98,11 @@ private:
             return;
         at->message += QStringLiteral("\n\n");
         at->message +=
-            walls && hits ? JudgeText::tr("Through this, walls and hits cannot be judged yet.")
-            : walls
-                ? JudgeText::tr("Through this the walls cannot be judged yet.")
-                : JudgeText::tr("Through this the hits of the two circles cannot be judged yet.");
+            walls && hits
+                ? JudgeText::tr("Until this is right, no more can be said of walls and hits.")
+            : walls ? JudgeText::tr("Until this is right, no more can be said of the walls.")
+                    : JudgeText::tr(
+                        "Until this is right, no more can be said of the hits of the two circles.");
     }
 
     /// Whether a failed check asks for walls, and at none is a circle known to come to them.

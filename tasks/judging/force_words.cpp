@@ -180,7 +180,7 @@ private:
                 return QLatin1Char(' ')
                        + FlightText::tr("In a step of %1 s it keeps as much of it, %2 times: so "
                                         "what happens in a second depends on Δt.")
-                             .arg(briefTimestep(h), brief(kept));
+                             .arg(briefTimestep(h), briefBeside(kept, 1.0));
             return QLatin1Char(' ')
                    + FlightText::tr("With Δt = %1 s it is %2 m/s².")
                          .arg(briefTimestep(h), brief(other));

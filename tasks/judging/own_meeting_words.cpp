@@ -103,15 +103,16 @@ std::optional<LawDeviation> missedMeeting(const Task &task, SubmissionRuns &runs
             run.error ? std::nullopt : nearestOf(run, motion::gravityOf(check, run));
         if (!nearest)
             continue;
+        const QString seconds = brief(run.states.time(run.steps()));
         const QString seen =
             MeetingText::tr("In its first %1 s their rims come no nearer than %2 m, at %3 s. Look "
                             "at the positions and velocities that they start with.")
-                .arg(brief(run.states.time(run.steps())), brief(nearest->gap),
-                     brief(run.states.time(nearest->step)));
-        return LawDeviation{Aspect::Start,
-                            MeetingText::tr("The circles of your scene do not meet")
-                                + QStringLiteral("\n\n") + seen,
-                            otherStart(task, run.variant.preset)};
+                .arg(seconds, brief(nearest->gap), brief(run.states.time(nearest->step)));
+        return LawDeviation{
+            Aspect::Start,
+            MeetingText::tr("The circles of your scene do not meet in its first %1 s").arg(seconds)
+                + QStringLiteral("\n\n") + seen,
+            otherStart(task, run.variant.preset)};
     }
     return std::nullopt;
 }

@@ -80,7 +80,8 @@ bool PairHit::isPutFar() const
 
 bool PairHit::isPutTogether() const
 {
-    return answered && after < 0.5 * std::min(before, reached) && reached > 0.5 * meeting.sum();
+    return answered && after < std::min(0.99 * meeting.sum(), 0.5 * std::min(before, reached))
+           && reached > 0.5 * meeting.sum();
 }
 
 bool PairHit::fits(double distance) const

@@ -106,8 +106,8 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
                         "scene it moves by %3 m in a step of %4 s; its velocity is still "
                         "the %5 m/s of the start. A program that keeps velocities in "
                         "variables of its own must also assign them to the circles, as to "
-                        "`circle%1.velocity`.\n\nThrough this, walls and hits cannot be judged "
-                        "yet.")
+                        "`circle%1.velocity`.\n\nUntil this is right, no more can be said of "
+                        "walls and hits.")
                         .arg(circle + 1)
                         .arg(brief(probe.world().time), brief(way), briefTimestep(scene.timestep),
                              brief(v)),
