@@ -75,6 +75,13 @@ inline std::vector<Program> programsOf(const QString &step)
     return all;
 }
 
+/// Fails the test on Qt's warnings, as of a text with too many arguments: the process that judges
+/// students' programs may not write, and ends.
+inline void failOnWarnings()
+{
+    QTest::failOnWarning(QRegularExpression(QStringLiteral(".")));
+}
+
 /// A row "task" for every step of the shipped labs.
 inline void addSteps()
 {

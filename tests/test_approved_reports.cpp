@@ -85,6 +85,7 @@ void TestApprovedReports::reportIsAsApproved()
     QFETCH(QString, step);
     QFETCH(QString, file);
     QFETCH(QString, value);
+    approved::failOnWarnings();
     Step &of = m_steps[step];
     Submission submission(of.task->preset);
     if (file.endsWith(QLatin1String(".json"))) {

@@ -135,6 +135,7 @@ QStringList headlinesOf(const QString &text)
 void TestApprovedTold::deviationsAreAsApproved()
 {
     QFETCH(Task, task);
+    approved::failOnWarnings();
     static const QRegularExpression numbers(QStringLiteral("[0-9][0-9.e/−-]*"));
     const Ground ground(task, task.preset);
     const MeasuredLaws right(&task.solution, ground);

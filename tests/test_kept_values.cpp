@@ -67,7 +67,7 @@ void TestKeptValues::whatIsKeptOfAHitIsNamed_data()
                                 << text("e acts only after the first hit");
     QTest::addRow("mean for what is common")
         << text("L42T16") << mean
-        << text("Where the masses differ, the total momentum is not kept");
+        << text("What the two have in common does not depend on the masses");
     QTest::addRow("slow e") << text("L42T16") << slowRebound
                             << text("Circles that meet slowly are answered in another way");
     for (const char *step : {"L42T12", "L42T14", "L42T16", "L42T17"})

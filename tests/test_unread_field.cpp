@@ -62,7 +62,7 @@ void TestUnreadField::findingTellsIt()
     QCOMPARE(report->findings[0].line, 5);
     QVERIFY(report->findings[0].message.endsWith(
         QStringLiteral("Line 5 sets a field `pos` of your own, which nothing reads: a circle has a "
-                       "`position`.")));
+                       "`position`.\n\nUntil this is right, no more can be said of the walls.")));
 }
 
 QTEST_GUILESS_MAIN(TestUnreadField)
