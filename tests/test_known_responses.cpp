@@ -19,6 +19,7 @@ private slots:
     void answerIsAsTold_data();
     void answerIsAsTold();
     void allAreTried();
+    void someAreSaidOfTheTriedEAlone();
     void directionsAreAsTold_data();
     void directionsAreAsTold();
     void whoFollowsDoesSoInEveryHit();
@@ -172,6 +173,37 @@ void TestKnownResponses::allAreTried()
 {
     QCOMPARE(knownResponses().size(),
              std::size(answers) + std::size(directions) + std::size(turns));
+}
+
+void TestKnownResponses::someAreSaidOfTheTriedEAlone()
+{
+    QStringList ofTried;
+    QStringList ofEvery;
+    for (const ResponseLaw &law : knownResponses()) {
+        if (law.isOfE)
+            ofTried.append(law.headline);
+        if (law.isForEvery)
+            ofEvery.append(law.headline);
+    }
+    QCOMPARE(
+        ofTried,
+        QStringList(
+            {QStringLiteral("Two equal circles exchange their whole velocities"),
+             QStringLiteral("The push on circle 1 has the wrong sign"),
+             QStringLiteral("The push on circle 2 has the wrong sign"),
+             QStringLiteral("Both circles get their new part along the normal besides the old"),
+             QStringLiteral("Circle 1 gets its new part along the normal besides the old"),
+             QStringLiteral("Circle 2 gets its new part along the normal besides the old")}));
+    QCOMPARE(
+        ofEvery,
+        QStringList(
+            {QStringLiteral("A hit leaves circle 2 as it was"),
+             QStringLiteral("A hit leaves circle 1 as it was"),
+             QStringLiteral("The circles exchange their whole velocities"),
+             QStringLiteral("The whole relative velocity is turned round"),
+             QStringLiteral("The velocity of circle 2 is worked out from what circle 1 has become"),
+             QStringLiteral(
+                 "The velocity of circle 1 is worked out from what circle 2 has become")}));
 }
 
 void TestKnownResponses::directionsAreAsTold_data()

@@ -211,6 +211,7 @@ void TestToldWhoseWalls::aStepTooLateIsTold()
         "At the * the rim of circle # was # m past the wall before the step in which it was turned "
         "round, and # m after it.");
     QCOMPARE(n.size(), std::size_t{3});
+    QCOMPARE(n[0], 1.0);
     QVERIFY(n[1] > 0.0);
     QVERIFY(isNear(n[2] - n[1], 2.9 / 60.0));
 }
