@@ -121,7 +121,7 @@ void TestTheme::whatOpensHasAnEdge()
     QComboBox box;
     box.addItems({QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
     box.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&box));
+    QVERIFY(QTest::qWaitForWindowExposed(&box, patience));
     box.showPopup();
     QTRY_VERIFY(box.view()->hasFocus());
     const QImage list = box.view()->grab().toImage();

@@ -4,6 +4,7 @@
 
 #include "tests/gui/chart_scenes.h"
 #include "tests/gui/settled.h"
+#include "tests/patience.h"
 #include "tests/showing_program.h"
 #include "views/console_view.h"
 
@@ -36,7 +37,7 @@ struct Console {
         simulation.setProgram(&program);
         view.resize(344, 240);
         view.show();
-        (void)QTest::qWaitForWindowExposed(&view);
+        (void)QTest::qWaitForWindowExposed(&view, patience);
         settle();
     }
 

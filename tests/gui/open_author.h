@@ -198,7 +198,7 @@ public:
     {
         // A dialog was active until a moment ago, perhaps.
         window.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window))
+        if (!QTest::qWaitForWindowActive(&window, patience))
             qWarning("the window does not become active");
         return QApplication::focusWidget() ? QApplication::focusWidget() : &window;
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
 #include "views/code/call_tip.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
@@ -43,7 +44,7 @@ public:
     {
         window.show();
         window.activateWindow();
-        const bool active = QTest::qWaitForWindowActive(&window);
+        const bool active = QTest::qWaitForWindowActive(&window, patience);
         editor().setFocus();
         return active;
     }

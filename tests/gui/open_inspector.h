@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
 #include "views/circle_edits.h"
 #include "views/inspector/inspector.h"
 #include "views/inspector/number_field.h"
@@ -56,7 +57,7 @@ inline bool OpenInspector::show()
     inspector.resize(700, 400);
     inspector.show();
     inspector.activateWindow();
-    return QTest::qWaitForWindowActive(&inspector);
+    return QTest::qWaitForWindowActive(&inspector, patience);
 }
 
 inline NumberField *OpenInspector::field(const QString &name) const

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/patience.h"
 #include "views/task_pane/task_pane.h"
 #include "views/theme.h"
 
@@ -65,7 +66,7 @@ inline bool OpenTaskPane::show()
     pane.showTask(lab.tasks[1], 0);
     pane.show();
     pane.activateWindow();
-    return QTest::qWaitForWindowActive(&pane);
+    return QTest::qWaitForWindowActive(&pane, patience);
 }
 
 inline bool OpenTaskPane::says(const QString &part) const

@@ -43,6 +43,9 @@ public:
             qFatal("%s", qPrintable(error->toString()));
         window.show();
         window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window,
+                                         patience)) // keys and focus are for the active one
+            qFatal("the window does not become active");
     }
 
     [[nodiscard]] Simulation &simulation() { return bench.simulation(); }

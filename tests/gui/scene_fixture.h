@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/run/simulation.h"
+#include "tests/patience.h"
 #include "tests/scene_lists.h"
 #include "views/preset_document.h"
 #include "views/scene/scene_view.h"
@@ -22,10 +23,11 @@ struct Scene {
     {
         view.resize(700, 700);
         view.show();
-        (void)QTest::qWaitForWindowExposed(&view);
+        (void)QTest::qWaitForWindowExposed(&view, patience);
         view.activateWindow();
         view.setFocus();
-        (void)QTest::qWaitForWindowActive(&view); // shortcuts hold in the active window only
+        (void)QTest::qWaitForWindowActive(&view,
+                                          patience); // shortcuts hold in the active window only
     }
 
     [[nodiscard]] const Circle &circle(int index) const

@@ -16,7 +16,7 @@ namespace cradle::windows {
 /// Drops the file of the lab onto the student's window and tells his number.
 inline void dropLab(OpenWindow &student, const QString &file, const char *number)
 {
-    QVERIFY(QTest::qWaitForWindowActive(&student.window));
+    QVERIFY(QTest::qWaitForWindowActive(&student.window, patience));
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
     const QPoint centre = student.window.rect().center();

@@ -36,7 +36,7 @@ inline bool isBesideOne(const QWidget &widget)
 inline QStringList missedByTab(QWidget &window)
 {
     window.activateWindow();
-    if (!QTest::qWaitForWindowActive(&window))
+    if (!QTest::qWaitForWindowActive(&window, patience))
         return {QStringLiteral("never active")};
     std::vector<QWidget *> stops = controlsIn(window);
     std::erase_if(stops, [](const QWidget *stop) { return isBesideOne(*stop); });

@@ -52,7 +52,6 @@ void TestAccessibleTree::chartsAreSteppedThroughByKeys()
 {
     QTemporaryDir folder;
     OpenWindow open(folder);
-    QVERIFY(QTest::qWaitForWindowActive(&open.window));
     QVERIFY(open.bench.openTask(QStringLiteral("L42T12")));
     open.bench.setMode(Mode::Explore);
     open.window.resize(1440, 900);

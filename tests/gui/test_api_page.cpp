@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/open_code.h"
+#include "tests/patience.h"
 #include "tests/test_paths.h"
 #include "views/code/api_page.h"
 #include "views/code/api_words.h"
@@ -107,7 +108,7 @@ void TestApiPage::pageBeginsAtItsTop()
 {
     ApiPage page;
     page.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QVERIFY(QTest::qWaitForWindowExposed(&page, patience));
     page.showWord({});
     const auto *text = page.findChild<QTextBrowser *>();
     QVERIFY(text->verticalScrollBar()->maximum() > 0);
@@ -138,7 +139,7 @@ void TestApiPage::pageShowsWords()
     ApiPage page;
     page.resize(700, 500);
     page.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QVERIFY(QTest::qWaitForWindowExposed(&page, patience));
     const auto at = [&page](const char *word) {
         return page.showWord(s(word)) ? page.currentHeading() : QString();
     };
@@ -164,7 +165,7 @@ void TestApiPage::pageSearches()
     ApiPage page;
     page.show();
     page.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&page));
+    QVERIFY(QTest::qWaitForWindowActive(&page, patience));
     auto *field = page.findChild<QLineEdit *>();
     field->setFocus();
     QTest::keyClicks(field, s("restit"));

@@ -168,7 +168,7 @@ void TestAuthorLab::stepThatIsWrittenOpensAsAStudentSeesIt()
     QVERIFY(
         document.edit(QStringLiteral("edit"), withTask(document.files(), document.step(), form)));
     author->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(author));
+    QVERIFY(QTest::qWaitForWindowActive(author, patience));
     QTest::keyClick(author, Qt::Key_F5);
     // Saved, and open at the step that is written, as it is now.
     QVERIFY(!document.isModified());

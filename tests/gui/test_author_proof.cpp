@@ -217,7 +217,7 @@ void TestAuthorProof::matrixThatIsSeenIsFilledAnew()
     ProofMatrix matrix;
     matrix.resize(700, 300);
     static_cast<QWidget &>(matrix).show();
-    QVERIFY(QTest::qWaitForWindowExposed(&matrix));
+    QVERIFY(QTest::qWaitForWindowExposed(&matrix, patience));
     const VerifiedTask task{
         .id = QStringLiteral("A"),
         .title = {},

@@ -217,7 +217,7 @@ void TestAuthorValues::tabFollowsTheEye()
         kind->setCurrentIndex(1);
         emit kind->activated(1);
     }
-    QVERIFY(QTest::qWaitForWindowActive(&author.window));
+    QVERIFY(QTest::qWaitForWindowActive(&author.window, patience));
     name->setFocus();
     QPoint before = name->mapToGlobal(QPoint());
     QSet<QWidget *> seen{name};

@@ -71,7 +71,6 @@ void TestCodeDesk::init()
     m_folder = std::make_unique<QTemporaryDir>();
     m_open = std::make_unique<OpenWindow>(*m_folder);
     m_open->bench.setMode(Mode::Code);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
 }
 
 void TestCodeDesk::whatIsTypedRuns()

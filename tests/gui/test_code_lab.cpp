@@ -39,7 +39,6 @@ void TestCodeLab::init()
     m_folder = std::make_unique<QTemporaryDir>();
     m_open = std::make_unique<OpenWindow>(*m_folder);
     m_open->bench.setMode(Mode::Code);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
 }
 
 void TestCodeLab::open(const QString &step)

@@ -187,7 +187,7 @@ void TestCodePane::staysReadableInEveryWidth()
     pane.setStepping(true);
     pane.resize(width, 264);
     pane.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&pane));
+    QVERIFY(QTest::qWaitForWindowExposed(&pane, patience));
     QVERIFY2(pane.minimumSizeHint().width() <= 460,
              qPrintable(QString::number(pane.minimumSizeHint().width())));
     QList<QRect> places;

@@ -31,7 +31,7 @@ private slots:
     {
         QVERIFY(m_folder.isValid());
         m_room = std::make_unique<StatefulRoom>(m_folder);
-        QVERIFY(QTest::qWaitForWindowActive(&m_room->window()));
+        QVERIFY(QTest::qWaitForWindowActive(&m_room->window(), patience));
     }
     void cleanupTestCase() { m_room.reset(); }
     void init() { m_found.clear(); }

@@ -111,7 +111,6 @@ void TestExactMotion::isOffAtTheFirstStart()
 
 void TestExactMotion::shortcutTogglesIt()
 {
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
     m_open->press(Qt::Key_E, Qt::ControlModifier);
     QVERIFY(m_open->simulation().shadow());
     QVERIFY(exactAction(*m_open)->isChecked());

@@ -31,7 +31,7 @@ private:
 void TestFocusIsSeen::addUnseen(QWidget &window, const QString &where, QStringList &unseen)
 {
     window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QVERIFY(QTest::qWaitForWindowActive(&window, patience));
     calm(window);
     const std::vector<QWidget *> stops = controlsIn(window);
     QVERIFY(stops.size() > 5);

@@ -168,7 +168,7 @@ void TestGradeDialog::manyRemarksScroll()
     const auto *remarks = dialog.findChild<QPlainTextEdit *>();
     QVERIFY(remarks && remarks->isReadOnly() && !remarks->accessibleName().isEmpty());
     dialog.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog, patience));
     QVERIFY(!remarks->isVisible());
     const QSize before = dialog.size();
     for (int i = 0; i < 300; ++i)

@@ -56,8 +56,6 @@ void TestKeyboard::init()
     m_open = std::make_unique<OpenWindow>(m_folder);
     m_open->bench.openTask(QStringLiteral("L42T11"));
     m_open->window.resize(1440, 900);
-    m_open->window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
 }
 
 void TestKeyboard::f6GoesRoundThePanes_data()
@@ -158,7 +156,6 @@ void TestKeyboard::wholeStepByKeysAlone()
     m_open.reset();
     const QTemporaryDir fresh;
     m_open = std::make_unique<OpenWindow>(fresh);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
     QVERIFY(isSeen(QApplication::focusWidget()));
     QCOMPARE(m_open->bench.current(), 0);
     press(Qt::Key_L, Qt::ControlModifier); // into the program

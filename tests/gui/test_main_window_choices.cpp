@@ -66,7 +66,6 @@ void TestMainWindowChoices::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
     m_open = std::make_unique<OpenWindow>(*m_folder);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window)); // for keys of menus
 }
 
 void TestMainWindowChoices::cleanup()

@@ -36,7 +36,7 @@ struct Plots {
         simulation.setProgram(&program);
         chart.resize(344, 240);
         chart.show();
-        (void)QTest::qWaitForWindowExposed(&chart);
+        (void)QTest::qWaitForWindowExposed(&chart, patience);
     }
 
     [[nodiscard]] QStringList labels() const

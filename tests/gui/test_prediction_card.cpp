@@ -142,7 +142,7 @@ void TestPredictionCard::isAnsweredByKeys()
 {
     ask();
     QSignalSpy answered(&m_open->pane, &TaskPane::predicted);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->pane));
+    QVERIFY(QTest::qWaitForWindowActive(&m_open->pane, patience));
     radios()[0]->setFocus(Qt::TabFocusReason);
     QTest::keyClick(radios()[0], Qt::Key_Space);
     QCOMPARE(answered.size(), 1);

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "tests/gui/named_controls.h"
 #include "tests/gui/room_states.h"
+#include "tests/patience.h"
 #include "views/code/code_editor.h"
 #include "views/code/code_pane.h"
 
@@ -20,7 +21,7 @@ private slots:
     {
         QVERIFY(m_folder.isValid());
         m_room = std::make_unique<StatefulRoom>(m_folder);
-        QVERIFY(QTest::qWaitForWindowActive(&m_room->window()));
+        QVERIFY(QTest::qWaitForWindowActive(&m_room->window(), patience));
     }
     void cleanupTestCase() { m_room.reset(); }
     void everyControlIsNamedAndPassed_data() { addStates(roomStates()); }

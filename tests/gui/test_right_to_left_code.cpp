@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/drawn_texts.h"
+#include "tests/patience.h"
 #include "views/code/code_editor.h"
 #include "views/code/run_marks.h"
 
@@ -53,7 +54,7 @@ void TestRightToLeftCode::init()
     m_editor->resize(700, 120);
     m_editor->show();
     m_editor->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_editor.get()));
+    QVERIFY(QTest::qWaitForWindowActive(m_editor.get(), patience));
     area().setFocus();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/drawn_texts.h"
+#include "tests/patience.h"
 #include "views/author/rows_list.h"
 #include "views/theme.h"
 
@@ -36,7 +37,7 @@ void TestRowsList::rowsAreAsHighAsTheirLines()
     list->addItem(QStringLiteral("Momentum and kinetic energy are kept"));
     list->resize(static_cast<int>(400 * scale), 300);
     list->show();
-    QVERIFY(QTest::qWaitForWindowExposed(list.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(list.get(), patience));
     const int oneLine = list->visualItemRect(list->item(0)).height();
     const int line = list->fontMetrics().lineSpacing();
     for (int width = static_cast<int>(400 * scale); width > 120 * scale; --width) {

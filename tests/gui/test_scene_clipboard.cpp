@@ -204,7 +204,6 @@ void TestSceneClipboard::keysStayWithThePaneThatHasTheFocus()
     OpenWindow open(folder);
     open.bench.setMode(Mode::Code);
     CodeEditor &editor = open.window.codePane().editor();
-    QVERIFY(QTest::qWaitForWindowActive(&open.window));
     open.window.scene().setFocus();
     open.window.scene().select(0);
     open.press(Qt::Key_C, Qt::ControlModifier);

@@ -230,7 +230,7 @@ void TestSceneGhost::paintersLookAlike()
     GlCanvas canvas([&]() -> const ScenePicture & { return picture; }, QStringLiteral(":/shaders"));
     canvas.resize(700, 700);
     canvas.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&canvas));
+    QVERIFY(QTest::qWaitForWindowExposed(&canvas, patience));
     const QImage byGl = canvas.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     int different = 0;
     for (int y = 0; y < 700; ++y) {

@@ -93,7 +93,7 @@ void TestScenePainters::shapesLookAlikeToThePixel()
     GlCanvas canvas([&]() -> const ScenePicture & { return picture; }, QStringLiteral(":/shaders"));
     canvas.resize(700, 700);
     canvas.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&canvas));
+    QVERIFY(QTest::qWaitForWindowExposed(&canvas, patience));
     const QImage byGl = canvas.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     const pictures::Difference found = pictures::compare(byGl, byRaster);
     QVERIFY2(found.visiblePixels <= 10, qPrintable(QString::number(found.visiblePixels)));

@@ -71,7 +71,6 @@ void TestShowing::init()
     m_open->bench.openTask(QStringLiteral("L42T11"));
     m_open->bench.setMode(Mode::Code);
     m_open->window.resize(1440, 900);
-    QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
 }
 
 void TestShowing::cleanup()
@@ -167,7 +166,7 @@ void TestShowing::secondWindowHasTheKeysOfARun()
     m_open->window.presenter().openSceneWindow();
     SceneView *second = m_open->window.presenter().secondScene();
     second->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(second));
+    QVERIFY(QTest::qWaitForWindowActive(second, patience));
     Simulation &simulation = m_open->simulation();
     const auto step = simulation.current();
     QTest::keyClick(second, Qt::Key_Right);
@@ -193,7 +192,7 @@ void TestShowing::secondWindowIsBlackWithTheFirst()
     m_open->window.presenter().present(true);
     SceneView *second = m_open->window.presenter().secondScene();
     second->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(second));
+    QVERIFY(QTest::qWaitForWindowActive(second, patience));
     const auto middle = [second] {
         return second->grab().toImage().pixelColor(second->rect().center());
     };

@@ -67,7 +67,7 @@ struct Shown {
     {
         histogram.resize(344, 240);
         histogram.show();
-        (void)QTest::qWaitForWindowExposed(&histogram);
+        (void)QTest::qWaitForWindowExposed(&histogram, patience);
     }
     [[nodiscard]] const SpeedPicture &picture() const { return histogram.plot().picture(); }
 };

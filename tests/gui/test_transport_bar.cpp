@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/transport_scene.h"
+#include "tests/patience.h"
 #include "views/action_button.h"
 #include "views/theme.h"
 #include "views/transport_bar.h"
@@ -62,7 +63,7 @@ void TestTransportBar::keysDriveTheSimulation()
     TransportBar bar(simulation);
     bar.show();
     bar.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&bar));
+    QVERIFY(QTest::qWaitForWindowActive(&bar, patience));
     bar.setFocus();
     QTest::keyClick(&bar, Qt::Key_Right);
     QTest::keyClick(&bar, Qt::Key_Right);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/gui/transport_scene.h"
+#include "tests/patience.h"
 #include "views/action_button.h"
 #include "views/theme.h"
 #include "views/transport_bar.h"
@@ -43,7 +44,7 @@ void TestTransportBarLook::readoutDoesNotJump()
     TransportBar bar(simulation);
     bar.resize(1280, 48);
     bar.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&bar));
+    QVERIFY(QTest::qWaitForWindowExposed(&bar, patience));
     const auto places = [&] {
         QList<QRect> all;
         for (const QLabel *label : bar.findChildren<QLabel *>())
@@ -137,7 +138,7 @@ void TestTransportBarLook::focusedControlsKeepTheirKeys()
     column->addWidget(table);
     window.show();
     window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window));
+    QVERIFY(QTest::qWaitForWindowActive(&window, patience));
 
     line->setFocus();
     QTest::keyClicks(line, QStringLiteral("r n"));

@@ -182,7 +182,7 @@ void TestValuesPane::tableIsCopied()
     Simulation simulation(glancing());
     ValuesPane pane(simulation);
     pane.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&pane));
+    QVERIFY(QTest::qWaitForWindowExposed(&pane, patience));
     auto *table = pane.tabs().widget(0)->findChild<QTableView *>();
     table->setFocus();
     table->selectionModel()->select({table->model()->index(0, 0), table->model()->index(1, 1)},

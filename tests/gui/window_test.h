@@ -21,7 +21,6 @@ protected:
             m_open->window.close();
         m_open.reset();
         m_open = std::make_unique<OpenWindow>(*m_folder);
-        QVERIFY(QTest::qWaitForWindowActive(&m_open->window));
     }
 
     [[nodiscard]] QDockWidget *pane(const char *name) const
