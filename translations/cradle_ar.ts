@@ -5428,6 +5428,50 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <source>In all hits tried both pushes are as large as if both circles had the mass of circle %1; what each makes of its own push is right. Look at which masses stand in the size of the push.</source>
         <translation>في كل التصادمات التي جُرّبت يكون الدفعان كبيرين كأن لكلتا الدائرتين كتلة الدائرة ⁨%1⁩؛ وما تجعله كلٌّ من دفعها صحيح. انظر أي كتل تدخل في مقدار الدفع.</translation>
     </message>
+    <message>
+        <source>Look at whether the normal has length 1 where they overlap.</source>
+        <translation>انظر هل طول الناظم 1 حين تتداخلان.</translation>
+    </message>
+    <message>
+        <source>Look at whether the normal has length 1 where it is made, before they touch.</source>
+        <translation>انظر هل طول الناظم 1 حيث يُحسب، قبل أن تتلامسا.</translation>
+    </message>
+    <message>
+        <source>How deep they overlap after a step is chance: it may move their places apart, but must not come into the velocities.</source>
+        <translation>مقدار تداخلهما بعد خطوة أمر عارض: يجوز أن يباعد موضعيهما، ولا يجوز أن يدخل في السرعتين.</translation>
+    </message>
+    <message>
+        <source>What a hit does depends on where in a step they touch</source>
+        <translation>ما يفعله التصادم يتعلق باللحظة التي تتلامسان فيها من الخطوة</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after a quarter of a step of %1 s, they left with %2; where after two thirds, with %3; %4 are right.</source>
+        <translation>حين تلامست الحافتان بعد ربع خطوة من %1 s خرجتا بـ %2؛ وبعد ثلثيها بـ %3؛ والصحيح %4.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 m/s</source>
+        <translation>%1 و %2 m/s</translation>
+    </message>
+    <message>
+        <source>Two equal circles met head-on with %1 and %2 m/s; e was %3.</source>
+        <translation>التقت دائرتان متساويتان وجهًا لوجه بـ %1 و %2 m/s؛ وكان e يساوي %3.</translation>
+    </message>
+    <message>
+        <source>Two equal circles met head-on with %1 and %2 m/s.</source>
+        <translation>التقت دائرتان متساويتان وجهًا لوجه بـ %1 و %2 m/s.</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s they left with %2, with %3 s with %4; %5 are right.</source>
+        <translation>بخطوة زمنية %1 s خرجتا بـ %2، وبـ %3 s خرجتا بـ %4؛ والصحيح %5.</translation>
+    </message>
+    <message>
+        <source>A hit takes no time: look at where the timestep comes into what it does.</source>
+        <translation>التصادم لا يستغرق زمنًا: انظر أين تدخل الخطوة الزمنية في ما يفعله.</translation>
+    </message>
+    <message>
+        <source>What a hit does depends on the timestep</source>
+        <translation>ما يفعله التصادم يتعلق بالخطوة الزمنية</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5352,6 +5352,50 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <source>In all hits tried both pushes are as large as if both circles had the mass of circle %1; what each makes of its own push is right. Look at which masses stand in the size of the push.</source>
         <translation>In allen versuchten Stößen sind beide Kraftstöße so groß, als hätten beide Kreise die Masse von Kreis %1; was jeder aus seinem eigenen macht, ist richtig. Sieh nach, welche Massen in der Größe des Kraftstoßes stehen.</translation>
     </message>
+    <message>
+        <source>Look at whether the normal has length 1 where they overlap.</source>
+        <translation>Sieh nach, ob die Normale die Länge 1 hat, wenn sie sich überlappen.</translation>
+    </message>
+    <message>
+        <source>Look at whether the normal has length 1 where it is made, before they touch.</source>
+        <translation>Sieh nach, ob die Normale die Länge 1 hat, wo sie gebildet wird: bevor sie sich berühren.</translation>
+    </message>
+    <message>
+        <source>How deep they overlap after a step is chance: it may move their places apart, but must not come into the velocities.</source>
+        <translation>Wie tief sie sich nach einem Schritt überlappen, ist Zufall: es darf die Orte auseinanderschieben, aber nicht in die Geschwindigkeiten eingehen.</translation>
+    </message>
+    <message>
+        <source>What a hit does depends on where in a step they touch</source>
+        <translation>Was ein Stoß tut, hängt davon ab, wann im Schritt sie sich berühren</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after a quarter of a step of %1 s, they left with %2; where after two thirds, with %3; %4 are right.</source>
+        <translation>Wo sich die Ränder nach einem Viertel eines Schrittes von %1 s berührten, gingen sie mit %2 weg; wo nach zwei Dritteln, mit %3; %4 sind richtig.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 m/s</source>
+        <translation>%1 und %2 m/s</translation>
+    </message>
+    <message>
+        <source>Two equal circles met head-on with %1 and %2 m/s; e was %3.</source>
+        <translation>Zwei gleiche Kreise trafen sich frontal mit %1 und %2 m/s; e war %3.</translation>
+    </message>
+    <message>
+        <source>Two equal circles met head-on with %1 and %2 m/s.</source>
+        <translation>Zwei gleiche Kreise trafen sich frontal mit %1 und %2 m/s.</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s they left with %2, with %3 s with %4; %5 are right.</source>
+        <translation>Mit einem Zeitschritt von %1 s gingen sie mit %2 weg, mit %3 s mit %4; %5 sind richtig.</translation>
+    </message>
+    <message>
+        <source>A hit takes no time: look at where the timestep comes into what it does.</source>
+        <translation>Ein Stoß dauert keine Zeit: sieh nach, wo der Zeitschritt in das eingeht, was er tut.</translation>
+    </message>
+    <message>
+        <source>What a hit does depends on the timestep</source>
+        <translation>Was ein Stoß tut, hängt vom Zeitschritt ab</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

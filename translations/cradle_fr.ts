@@ -5352,6 +5352,50 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <source>In all hits tried both pushes are as large as if both circles had the mass of circle %1; what each makes of its own push is right. Look at which masses stand in the size of the push.</source>
         <translation>Dans tous les chocs essayés, les deux poussées sont aussi grandes que si les deux cercles avaient la masse du cercle %1&#xa0;; ce que chacun fait de la sienne est juste. Regardez quelles masses figurent dans la grandeur de la poussée.</translation>
     </message>
+    <message>
+        <source>Look at whether the normal has length 1 where they overlap.</source>
+        <translation>Regardez si la normale a la longueur 1 quand ils se chevauchent.</translation>
+    </message>
+    <message>
+        <source>Look at whether the normal has length 1 where it is made, before they touch.</source>
+        <translation>Regardez si la normale a la longueur 1 là où elle est formée, avant qu&apos;ils ne se touchent.</translation>
+    </message>
+    <message>
+        <source>How deep they overlap after a step is chance: it may move their places apart, but must not come into the velocities.</source>
+        <translation>La profondeur à laquelle ils se chevauchent après un pas est un hasard&#xa0;: elle peut écarter leurs positions, mais ne doit pas entrer dans les vitesses.</translation>
+    </message>
+    <message>
+        <source>What a hit does depends on where in a step they touch</source>
+        <translation>Ce que fait un choc dépend du moment du pas où ils se touchent</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after a quarter of a step of %1 s, they left with %2; where after two thirds, with %3; %4 are right.</source>
+        <translation>Là où leurs bords se sont touchés après un quart d&apos;un pas de %1 s, ils sont repartis avec %2&#xa0;; là où c&apos;était après deux tiers, avec %3&#xa0;; %4 sont justes.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 m/s</source>
+        <translation>%1 et %2 m/s</translation>
+    </message>
+    <message>
+        <source>Two equal circles met head-on with %1 and %2 m/s; e was %3.</source>
+        <translation>Deux cercles égaux se sont rencontrés de front avec %1 et %2 m/s&#xa0;; e valait %3.</translation>
+    </message>
+    <message>
+        <source>Two equal circles met head-on with %1 and %2 m/s.</source>
+        <translation>Deux cercles égaux se sont rencontrés de front avec %1 et %2 m/s.</translation>
+    </message>
+    <message>
+        <source>With a timestep of %1 s they left with %2, with %3 s with %4; %5 are right.</source>
+        <translation>Avec un pas de temps de %1 s, ils sont repartis avec %2, avec %3 s avec %4&#xa0;; %5 sont justes.</translation>
+    </message>
+    <message>
+        <source>A hit takes no time: look at where the timestep comes into what it does.</source>
+        <translation>Un choc ne prend pas de temps&#xa0;: regardez où le pas de temps entre dans ce qu&apos;il fait.</translation>
+    </message>
+    <message>
+        <source>What a hit does depends on the timestep</source>
+        <translation>Ce que fait un choc dépend du pas de temps</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

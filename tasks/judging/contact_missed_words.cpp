@@ -1,15 +1,84 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/contact_comparison.h"
+#include "tasks/judging/likeness.h"
 #include "tasks/judging/response_reading.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numbers>
 
 namespace cradle {
 
 using Kind = MeetingDivision::Kind;
+
+namespace {
+
+/// What two velocities before a hit make of one after it, if that is the same in all hits:
+///     v = c₁ u₁ + c₂ u₂
+struct LinearAnswer {
+    double of1 = 0.0;
+    double of2 = 0.0;
+
+    /// By least squares. \param parts  u₁, u₂ and v of each hit, any components
+    static std::optional<LinearAnswer> of(const std::vector<std::array<double, 3>> &parts)
+    {
+        double a11 = 0.0;
+        double a12 = 0.0;
+        double a22 = 0.0;
+        double b1 = 0.0;
+        double b2 = 0.0;
+        for (const auto &[u1, u2, v] : parts) {
+            a11 += u1 * u1;
+            a12 += u1 * u2;
+            a22 += u2 * u2;
+            b1 += u1 * v;
+            b2 += u2 * v;
+        }
+        const double det = a11 * a22 - a12 * a12;
+        if (det <= 0.01 * a11 * a22)
+            return std::nullopt;
+        const LinearAnswer found{(b1 * a22 - b2 * a12) / det, (a11 * b2 - a12 * b1) / det};
+        for (const auto &[u1, u2, v] : parts) {
+            if (!isAlike(found.made(u1, u2), v, 5e-3))
+                return std::nullopt;
+        }
+        return found;
+    }
+
+    [[nodiscard]] double made(double u1, double u2) const { return of1 * u1 + of2 * u2; }
+};
+
+/// Whether all \p hits of equal circles follow one sum of the two velocities, or of their parts
+/// along the line of centres, that would leave \p in as it is.
+bool leavesAsItCame(const std::vector<EqualHit> &hits, const PairVelocities &in)
+{
+    constexpr std::size_t fewest = 4; // less follow any
+    if (hits.size() < fewest)
+        return false;
+    const auto leaves = [&](bool isWhole, bool isFirst) {
+        std::vector<std::array<double, 3>> parts;
+        for (const EqualHit &h : hits) {
+            const PairVelocities v = h.hit.leftParts();
+            const double across = isFirst ? v.across1 : v.across2;
+            parts.push_back({h.in.along1, h.in.along2, isFirst ? v.along1 : v.along2});
+            if (isWhole)
+                parts.push_back({h.in.across1, h.in.across2, across});
+            else if (!isAlike(across, isFirst ? h.in.across1 : h.in.across2, 5e-3))
+                return false;
+        }
+        const auto answer = LinearAnswer::of(parts);
+        const auto keeps = [&](double u1, double u2) {
+            return isAlike(answer->made(u1, u2), isFirst ? u1 : u2, 5e-3);
+        };
+        return answer && keeps(in.along1, in.along2) && (!isWhole || keeps(in.across1, in.across2));
+    };
+    return (leaves(true, true) && leaves(true, false))
+           || (leaves(false, true) && leaves(false, false));
+}
+
+} // namespace
 
 DividedMeetings::DividedMeetings(const MeasuredPair &own, const MeasuredPair &right,
                                  const Ground &ground)
@@ -41,6 +110,8 @@ bool DividedMeetings::isPushless(const PairHit &hit) const
     if (!answersAny(m_own.equals) && isOfEquals)
         return !m_own.rebounds.empty()
                && std::all_of(m_own.rebounds.begin(), m_own.rebounds.end(), isMet);
+    if (m_own.radii.empty() && m_own.densities.empty() && leavesAsItCame(hits, in))
+        return true;
     const auto laws = knownResponses();
     return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
         return follows(law, hits) && isSameAnswer(law.answer(here), in);

@@ -44,6 +44,8 @@ enum class Topic {
     Across,      ///< the parts across the line of centres, of both circles
     Slowness,    ///< of hits with which speeds it is
     Shares,      ///< that what parts two circles is not shared whole
+    Timestep,    ///< that it is another one with another timestep
+    Depth,       ///< that it is another one where the rims touch early in a step
 };
 
 /// One thing in which a program's law is not the one that is asked for.

@@ -230,8 +230,10 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     const auto stopped = [](const PairHit &hit) { return hit.stopped; };
     for (const auto *hits : {&contacts, &equals, &radii, &sizes, &densities, &rebounds})
         isJudged = isJudged && std::none_of(hits->begin(), hits->end(), stopped);
-    if (range.isUsual())
+    if (range.isUsual()) {
         own = range.own();
+        inSteps = range.inSteps(equalMeeting(asked), e);
+    }
     range.meetAgain(*this);
     // Small enough to tell e from what it was multiplied with.
     const auto &others = asked.restitutions;

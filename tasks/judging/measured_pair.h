@@ -154,6 +154,7 @@ struct MeasuredPair {
     std::vector<PairHit> sizes{};     ///< one is larger, where any masses are allowed
     std::vector<PairHit> densities{}; ///< one is denser
     std::vector<PairHit> rebounds{};  ///< the other values of e
+    std::vector<PairHit> inSteps{};   ///< head-on, early and late in a step, and in a short one
     std::vector<PairHit> partings{};  ///< they overlap and move apart: nothing should happen
     std::optional<PairHit> twice{};   ///< they met, move apart, and are hit again
     std::optional<PairHit> own{};     ///< the first hit of the student's own scene

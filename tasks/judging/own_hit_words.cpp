@@ -67,7 +67,7 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, const Measured
     // Who does neither does something else than what it does in other scenes.
     if (masses || isRebound)
         return isRebound ? masses : std::nullopt;
-    // What depends on the depth has words of its own.
+    // What depends on the step has words of its own.
     const auto isRight = [](const PairHit &h) {
         const PairVelocities in = h.cameParts();
         const PairVelocities out = h.leftParts();
@@ -77,7 +77,7 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, const Measured
     };
     if (own.rebounds.empty() || closing < 1e-6
         || !std::all_of(own.rebounds.begin(), own.rebounds.end(), isRight)
-        || overlapDeviation(own, right))
+        || steppedDeviation(own, right, true))
         return std::nullopt;
     return responseDeviation(
         ResponseText::tr("In your own scene the hit does not use the e that it has"),

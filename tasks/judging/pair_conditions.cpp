@@ -25,8 +25,8 @@ public:
         if (aspect == Aspect::Response) {
             m_said.deviations = HitKinds(*this).judge(std::move(m_said.deviations));
             if (m_said.deviations.empty()) {
-                if (auto overlap = overlapDeviation(m_own.pair(), m_right.pair()))
-                    m_said.deviations.push_back(std::move(*overlap));
+                if (auto stepped = steppedDeviation(m_own.pair(), m_right.pair(), true))
+                    m_said.deviations.push_back(std::move(*stepped));
             }
             addSurroundings();
         } else if (m_said.deviations.empty()) {

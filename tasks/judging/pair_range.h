@@ -60,6 +60,10 @@ public:
     /// then circle 1.
     [[nodiscard]] std::vector<PairHit> chases() const;
 
+    /// Head-on, with that e: in two steps of the usual length, whose rims touch early in one and
+    /// late in the other, and in a very short one.
+    [[nodiscard]] std::vector<PairHit> inSteps(Meeting meeting, double restitution) const;
+
     /// The same meeting in one long run, here and there, early and late.
     /// \param model  what look() shows of it at the start of a run
     [[nodiscard]] std::vector<PairOccasion> again(const PairHit &model) const;

@@ -54,7 +54,12 @@ struct SizeOfPush {
 /// That slow circles are answered in another way than fast ones.
 [[nodiscard]] std::optional<LawDeviation> slowDeviation(const MeasuredPair &own,
                                                         const MeasuredPair &right);
-/// That the push has another size in steps of the usual length than in very short ones.
+/// That what a hit does depends on when the rims touch in a step, or on the timestep.
+/// \param isElseRight  in very short steps hits come out right
+[[nodiscard]] std::optional<LawDeviation>
+steppedDeviation(const MeasuredPair &own, const MeasuredPair &right, bool isElseRight);
+/// That the push has another size in steps of the usual length than in very short ones, by a normal
+/// that is shorter the deeper they overlap.
 [[nodiscard]] std::optional<LawDeviation> overlapDeviation(const MeasuredPair &own,
                                                            const MeasuredPair &right);
 /// That the hit of the own scene is not answered as those of other scenes are.

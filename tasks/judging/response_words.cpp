@@ -26,6 +26,11 @@ public:
     {
         ReboundReading rebound = reboundDeviations(m_own, m_right);
         m_equal = equalReading(m_own, m_right, rebound.explainsElastic);
+        if (auto stepped = m_equal.isRight ? std::nullopt : steppedDeviation(m_own, m_right, false);
+            stepped && !(m_equal.law && stepped->topic == Topic::Depth)) {
+            m_found.push_back(std::move(*stepped));
+            return std::move(m_found);
+        }
         take(m_equal.said);
         // An answer that never asks for masses or e is one fault, not three.
         if (!isWhole(m_own.radii, m_right.radii) || !isWhole(m_own.densities, m_right.densities)) {

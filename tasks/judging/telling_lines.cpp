@@ -154,6 +154,27 @@ int angleLine(const QStringList &rows, const RanLines &ran)
     return found;
 }
 
+/// The first of the lines that only the moment needs in which a velocity is set, or, \p ofTimestep,
+/// the timestep stands; 0 if there is none.
+int steppedLine(const ProgramLines &program, const QStringList &rows, const RanLines &ran,
+                bool ofTimestep)
+{
+    static const QRegularExpression step(QStringLiteral("function\\s+on_update\\s*\\(\\s*(\\w+)"));
+    static const QRegularExpression velocity(QStringLiteral("\\.velocity\\s*(,[^=]*)?=[^=]"));
+    const QString name = step.match(rows.join(QLatin1Char('\n'))).captured(1);
+    if (ofTimestep && name.isEmpty())
+        return 0;
+    const QRegularExpression sought =
+        ofTimestep ? QRegularExpression(QStringLiteral("\\b%1\\b").arg(name)) : velocity;
+    const std::set<int> dead = deadLines(program);
+    for (const int line : ran.special()) {
+        if (line >= 1 && line <= rows.size() && !dead.contains(line) && worksOut(rows[line - 1]) > 0
+            && rows[line - 1].contains(sought))
+            return line;
+    }
+    return 0;
+}
+
 } // namespace
 
 std::vector<int> withRestitution(const std::vector<int> &lines, const QStringList &rows,
@@ -174,6 +195,10 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
 {
     if (const int line = deviation.topic == Topic::Direction ? angleLine(rows, ran) : 0)
         return line;
+    if (deviation.topic == Topic::Timestep)
+        return steppedLine(program, rows, ran, true);
+    if (deviation.topic == Topic::Depth && deviation.suspect == Suspect::Answer)
+        return steppedLine(program, rows, ran, false);
     switch (deviation.suspect) {
     case Suspect::Masses:
         // Where the own scene alone is wrong, the formula is right.
