@@ -173,6 +173,13 @@ void TestFlightLaw::faultIsNamed_data()
     row("L42T4", "symplectic in falling",
         "(c.velocity.y > 0 and c.velocity or c.velocity + gravity * h) * h", fall,
         text("The method that moves both circles depends on the velocity"));
+    row("L42T5", "symplectic in rising",
+        "(c.index == 2 and c.velocity.y > 0 and c.velocity + gravity * h or c.velocity) * h", fall,
+        text("The method that moves circle 2 depends on the velocity"));
+    // One that rests has no direction, and stops the program.
+    row("L42T5", "of one speed", "(c.index == 1 and c.velocity or c.velocity + gravity * h) * h",
+        "(c.index == 1 and gravity * h or c.velocity:normalized() * 2 - c.velocity + gravity * h)",
+        text("The velocity of circle 2 changes far from everything"));
     row("L42T4", "on from the first", "circles[1].position - c.position + c.velocity * h", fall,
         text("Every step moves circle 2 on from where circle 1 is"));
     // What a step does must not hang on when it is made, nor on whether it is the first.

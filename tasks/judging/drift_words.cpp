@@ -40,9 +40,14 @@ public:
         return std::nullopt;
     }
 
+    [[nodiscard]] std::optional<FlightSaid> byVelocity() const { return byVelocity(gravity()); }
+
 private:
     [[nodiscard]] std::optional<FlightSaid> driftUnder(Vec2 g) const
     {
+        // Where a way is not linear in the velocity, nothing is added to each alike.
+        if (!at(g, 0).isWayLinear)
+            return byVelocity(g);
         if (isShare(g))
             return std::nullopt;
         for (const int power : {0, 1, 2}) {
@@ -50,6 +55,37 @@ private:
                 return told(power, g, *besides);
         }
         return odd(g);
+    }
+
+    /// Each of the steps seen is one of a method, and they are not of the same.
+    [[nodiscard]] std::optional<FlightSaid> byVelocity(Vec2 g) const
+    {
+        const Flight &f = at(g, 0);
+        const Vec2 fall = m_h[0] * m_h[0] * m_right.at(g, m_h[0], m_i).acceleration;
+        if (lengthSquared(fall) == 0.0)
+            return std::nullopt;
+        const auto share = [&](const Flight::Step &step) {
+            return dot(step.way - m_h[0] * step.velocity, fall) / lengthSquared(fall);
+        };
+        const Flight::Step &a = f.seen[0];
+        const Flight::Step &b =
+            std::abs(share(a) - share(f.seen[1])) < 0.01 ? f.fromRest : f.seen[1];
+        const auto isOfMethod = [&](const Flight::Step &step) {
+            const Vec2 rest = step.way - m_h[0] * step.velocity - share(step) * fall;
+            return length(rest) < 1e-8
+                   && std::abs(2.0 * share(step) - std::round(2.0 * share(step))) < 1e-3
+                   && std::abs(share(step) - 0.5) < 0.6;
+        };
+        if (!isOfMethod(a) || !isOfMethod(b) || std::abs(share(a) - share(b)) < 0.01)
+            return std::nullopt;
+        return FlightSaid{
+            FlightText::tr("The method that moves %who depends on the velocity"),
+            FlightText::tr("The way of a step is %1 with the velocity %2 m/s, and %3 with %4 m/s. "
+                           "Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods "
+                           "½ g Δt². Look at what is asked before the lines that change the "
+                           "position.")
+                .arg(wayBy(share(a)), brief(a.velocity), wayBy(share(b)), brief(b.velocity)),
+            moment(true, g)};
     }
 
     /// What is nothing but rounding, m.
@@ -165,6 +201,11 @@ private:
 std::optional<FlightSaid> driftSaid(const FlightComparison &comparison)
 {
     return DriftJudge(comparison).drift();
+}
+
+std::optional<FlightSaid> methodByVelocity(const FlightComparison &comparison)
+{
+    return DriftJudge(comparison).byVelocity();
 }
 
 std::optional<FlightSaid> strongDriftSaid(const FlightComparison &comparison)

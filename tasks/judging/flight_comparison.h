@@ -180,6 +180,8 @@ protected:
 [[nodiscard]] std::optional<FlightSaid> growthSaid(const FlightComparison &comparison);
 /// Whether a step adds something to the place that is no share of g Δt², which no method does.
 [[nodiscard]] std::optional<FlightSaid> driftSaid(const FlightComparison &comparison);
+/// Whether one velocity is moved by one method and another by another.
+[[nodiscard]] std::optional<FlightSaid> methodByVelocity(const FlightComparison &comparison);
 /// Whether the circle moves by another integrator than those that are asked for.
 /// \param isFallRight  else only a method that is known and is none of those asked for
 [[nodiscard]] std::optional<FlightSaid> methodSaid(const FlightComparison &comparison,

@@ -235,6 +235,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         // A program may stop where a circle rests, and tell enough where it moves.
         for (std::size_t i = 0; i < flights.size(); ++i) {
             flights[i].acceleration = gravity;
+            flights[i].startedWith = first.start[i].velocity;
+            flights[i].seen[0] = secondStep(first, i).value_or(Flight::Step{});
             flights[i].leap = leapOf(flights[i], first, h, i);
             flights[i].leader = placedBy(first, second, i);
             flights[i].isFromLeader = flights[i].leader >= 0;

@@ -235,7 +235,7 @@ private:
         case Flight::Crossing::None:
             break;
         }
-        if (const auto fault = methodByVelocity())
+        if (const auto fault = methodByVelocity(*this))
             return *fault;
         const QString look = FlightText::tr("Look at what the line that changes the position "
                                             "takes, and at what is asked before it.");
@@ -258,37 +258,6 @@ private:
     [[nodiscard]] const std::vector<double> &shares() const
     {
         return m_ground.flights[static_cast<std::size_t>(m_i)].shares;
-    }
-
-    /// Each of the steps seen is one of a method, and they are not of the same.
-    [[nodiscard]] std::optional<FlightSaid> methodByVelocity() const
-    {
-        const Flight &f = flight(0);
-        const Vec2 fall = timestep() * timestep() * right().acceleration;
-        if (lengthSquared(fall) == 0.0)
-            return std::nullopt;
-        const auto share = [&](const Flight::Step &step) {
-            return dot(step.way - timestep() * step.velocity, fall) / lengthSquared(fall);
-        };
-        const Flight::Step &a = f.seen[0];
-        const Flight::Step &b =
-            std::abs(share(a) - share(f.seen[1])) < 0.01 ? f.fromRest : f.seen[1];
-        const auto isOfMethod = [&](const Flight::Step &step) {
-            const Vec2 rest = step.way - timestep() * step.velocity - share(step) * fall;
-            return length(rest) < 1e-8
-                   && std::abs(2.0 * share(step) - std::round(2.0 * share(step))) < 1e-3
-                   && std::abs(share(step) - 0.5) < 0.6;
-        };
-        if (!isOfMethod(a) || !isOfMethod(b) || std::abs(share(a) - share(b)) < 0.01)
-            return std::nullopt;
-        return said(
-            FlightText::tr("The method that moves %who depends on the velocity"),
-            FlightText::tr("The way of a step is %1 with the velocity %2 m/s, and %3 with %4 m/s. "
-                           "Euler adds nothing to v Δt, symplectic Euler g Δt², the exact methods "
-                           "½ g Δt². Look at what is asked before the lines that change the "
-                           "position.")
-                .arg(wayBy(share(a)), brief(a.velocity), wayBy(share(b)), brief(b.velocity)),
-            true);
     }
 
     /// \param moves  whether it goes anywhere
