@@ -70,6 +70,9 @@ void TestPushSize::whatItDependsOnIsTold_data()
     }
     QTest::addRow("density") << text("L42T15") << text("p.density / 8")
                              << text("The push has a wrong size that depends on the circles");
+    // Too small for another size to stand out but by what it is of the first.
+    QTest::addRow("tiny") << text("L42T14") << text("1e-4 * p.radius ^ 4")
+                          << text("The push has a wrong size that depends on the radius");
     QTest::addRow("speed") << text("L42T12") << text("closing")
                            << text("The push has the wrong size");
 }

@@ -60,8 +60,9 @@ std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const Measur
     const double e = one.meeting.restitution;
     const double first = one.rebound();
     const double second = two.rebound();
-    if (off(n1, one) < 0.1 && off(n2, two) < 0.1 && std::abs(first - e) < 0.01
-        && std::abs(second - e) > 0.03)
+    // Who answers far from the other may have met a wall in between.
+    if (one.isInTime() && two.isInTime() && off(n1, one) < 0.1 && off(n2, two) < 0.1
+        && std::abs(first - e) < 0.01 && std::abs(second - e) > 0.03)
         return responseDeviation(
             ResponseText::tr("A later hit is answered with another e"),
             ResponseText::tr("With e = %1 two circles parted with %2 times the speed that they "

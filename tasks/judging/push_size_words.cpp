@@ -87,7 +87,7 @@ std::vector<HitPair> equalHits(const MeasuredPair &own, const MeasuredPair &righ
 }
 
 /// Between what the size of the push lies in steps of the usual length, if it is not the same in
-/// all by some share of \p factor.
+/// all by some share of \p factor, or far from that.
 std::optional<std::pair<double, double>> rangeOfPush(const MeasuredPair &own,
                                                      const MeasuredPair &right, double factor)
 {
@@ -102,8 +102,12 @@ std::optional<std::pair<double, double>> rangeOfPush(const MeasuredPair &own,
         least = std::min(least, factorOf(mine, right.contacts[i]));
         most = std::max(most, factorOf(mine, right.contacts[i]));
     }
-    return most - least > blur * std::abs(factor) ? std::optional(std::pair(least, most))
-                                                  : std::nullopt;
+    if (!(most >= least))
+        return std::nullopt;
+    const double off = std::max(std::abs(most - factor), std::abs(least - factor));
+    return most - least > blur * std::abs(factor) || off > 0.5 * std::abs(factor)
+               ? std::optional(std::pair(least, most))
+               : std::nullopt;
 }
 
 } // namespace
@@ -113,10 +117,12 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
 {
     const double factor = factorOf(hit, good);
     const Meeting &m = hit.meeting;
+    bool isOfEverySize = false;
     for (const auto &[mine, theirs] : equalHits(own, right)) {
         const double other = factorOf(*mine, *theirs);
         const Meeting &o = mine->meeting;
-        if (isAlike(other, factor, 0.01))
+        isOfEverySize = isOfEverySize || o.radius1 != m.radius1;
+        if (isAlike(other / factor, 1.0, 0.01))
             continue;
         if (o.radius1 == m.radius1 && o.density1 == m.density1)
             return {ResponseText::tr("The push has the wrong size")};
@@ -140,6 +146,9 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
         const PairHit &theirs = right.contacts[i];
         if (mine.meeting.radius1 != mine.meeting.radius2 || !mine.isMet() || !theirs.isMet())
             continue;
+        // Of other circles the push may be another for that reason.
+        if (!isOfEverySize && mine.meeting.radius1 != m.radius1)
+            continue;
         // The line of centres turns in such a step, which blurs the numbers; what a timestep that
         // is more than a hundred times as long makes of the push is more.
         const double other = factorOf(mine, theirs);
@@ -152,7 +161,10 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
                           .arg(briefTimestep(hit.stage.preset.timestep), brief(factor),
                                briefTimestep(mine.stage.preset.timestep), brief(other))};
     }
-    if (const auto range = rangeOfPush(own, right, factor))
+    const auto range = rangeOfPush(own, right, factor);
+    if (range && brief(range->first) == brief(range->second))
+        return {ResponseText::tr("The push has the wrong size")};
+    if (range)
         return {ResponseText::tr("The push has the wrong size"),
                 QLatin1Char(' ')
                     + ResponseText::tr("In meetings with a timestep of %1 s it was between %2 and "
