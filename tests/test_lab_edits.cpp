@@ -32,6 +32,8 @@ void change(TaskForm &form, const QByteArray &field)
         form.checks.back().scene.insert(text("duration"), 7.5);
     else if (field == "moves")
         form.moves = QStringLiteral("laws");
+    else if (field == "points")
+        form.points = 2.5;
     else if (field == "extra")
         form.extra = !form.extra;
     else if (field == "remark")
@@ -49,7 +51,7 @@ void addFields()
     QTest::addColumn<QByteArray>("field");
     for (const char *field :
          {"title", "commit", "hint", "code hint", "title of a check", "parameter", "scene", "moves",
-          "extra", "remark", "question", "answer", "right answer"})
+          "points", "extra", "remark", "question", "answer", "right answer"})
         QTest::newRow(field) << QByteArray(field);
 }
 
@@ -198,6 +200,7 @@ void TestLabEdits::fieldSetBackKeepsEveryByte()
     QFETCH(QByteArray, field);
     TaskForm before;
     TAKE(before, taskForm(m_lab, masses));
+    QVERIFY(!before.points); // worth its checks together
     TaskForm form = before;
     change(form, field);
     LabFiles lab;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/authoring_labs.h"
 
+#include "tasks/lab_files/step_alone.h"
 #include "tasks/reading/lab_reader.h"
 
 #include <QTemporaryDir>
@@ -33,6 +34,7 @@ private slots:
     void pictureIsJudgedByItsHeader_data();
     void pictureIsJudgedByItsHeader();
     void copiesShareTheirFiles();
+    void stepAloneLeavesTheOthersOut();
 };
 
 namespace {
@@ -289,6 +291,19 @@ void TestLabFiles::copiesShareTheirFiles()
     const LabFiles edited = withText(lab, text("S1/instructions.md"), text("# Other\n"));
     const QString path = text("S1/task.json");
     QVERIFY(lab.contents.find(path)->constData() == edited.contents.find(path)->constData());
+}
+
+void TestLabFiles::stepAloneLeavesTheOthersOut()
+{
+    LabFiles lab;
+    lab.contents = {{text("lab.json"), R"({"steps": ["a", "b", "", "ab"]})"},
+                    {text("a/task.json"), "{}"},
+                    {text("ab/task.json"), "{}"},
+                    {text("b/task.json"), "{}"},
+                    {text("walls.lua"), ""}};
+    QCOMPARE(stepAlone(lab, text("b")).contents.keys(),
+             QStringList({text("b/task.json"), text("lab.json"), text("walls.lua")}));
+    QCOMPARE(stepAlone(lab, text("c")).contents, lab.contents);
 }
 
 QTEST_GUILESS_MAIN(TestLabFiles)
