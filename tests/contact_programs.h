@@ -113,6 +113,20 @@ void onHit(Circles &c, double h, const Answer &answer)
     c[1].position = old[1].position;
 }
 
+/// Moves, and on a hit answers rightly and moves the circles by \p part, which knows how deep they
+/// are in each other.
+template <typename Part>
+void onTouch(Circles &c, double h, double e, const Part &part)
+{
+    move(c, h);
+    if (!touches(c))
+        return;
+    const Vec2 n = normalized(between(c));
+    const double depth = reach(c) - length(between(c));
+    push(c, n, e);
+    part(c, n, depth);
+}
+
 inline constexpr Mistake mistakes[] = {
     {"whole velocity reversed", "left the hit",
      [](Circles &c, double, double h) {
@@ -188,6 +202,33 @@ inline constexpr Mistake mistakes[] = {
          onHit(c, h, [e](Circles &d, Vec2 n) { push(d, n, e); });
          if (c[0].position == place)
              c[1].position = place;
+     }},
+    {"pushed into each other", "nearer to the other one",
+     [](Circles &c, double e, double h) {
+         onTouch(c, h, e, [](Circles &d, Vec2 n, double depth) {
+             d[0].position += 0.5 * depth * n;
+             d[1].position -= 0.5 * depth * n;
+         });
+     }},
+    {"goes back with the other's velocity", "the hit put circle 1",
+     [](Circles &c, double e, double h) {
+         const Vec2 first = c[0].velocity;
+         const Vec2 second = c[1].velocity;
+         onTouch(c, h, e, [&](Circles &d, Vec2, double) {
+             d[0].position -= h * second;
+             d[1].position -= h * first;
+         });
+     }},
+    {"pushed aside", "to the side",
+     [](Circles &c, double e, double h) {
+         onTouch(c, h, e, [](Circles &d, Vec2 n, double depth) {
+             d[0].position -= 10.0 * depth * perpendicular(n);
+         });
+     }},
+    {"pushed too far apart", "farther from the other one",
+     [](Circles &c, double e, double h) {
+         onTouch(c, h, e,
+                 [](Circles &d, Vec2 n, double depth) { d[1].position += 5.0 * depth * n; });
      }},
     {"hit again while separating", "moving apart", [](Circles &c, double, double h) {
          move(c, h);

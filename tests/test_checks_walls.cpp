@@ -86,11 +86,12 @@ void TestChecksWalls::wrongProgramIsRefused_data()
     QTest::addColumn<double>("e");
     QTest::addColumn<QString>("word");
     const std::pair<double, const char *> rows[] = {
-        {1.0, "along the"},      {1.0, "beyond the ceiling"},
-        {1.0, "beyond the"},     {1.0, "touch first"},
-        {0.5, "At step"},        {0.5, "with e = 0.5"},
-        {0.5, "along the"},      {0.5, "with e = 0.5"},
-        {1.0, "already leaving"}};
+        {1.0, "along the"},       {1.0, "beyond the ceiling"},
+        {1.0, "beyond the"},      {1.0, "touch first"},
+        {0.5, "At step"},         {0.5, "with e = 0.5"},
+        {0.5, "along the"},       {0.5, "with e = 0.5"},
+        {1.0, "already leaving"}, {1.0, "further in from the"},
+        {1.0, "along the"}};
     for (std::size_t i = 0; i < std::size(mistakes); ++i)
         QTest::newRow(mistakes[i].name)
             << static_cast<int>(i) << rows[i].first << QString::fromLatin1(rows[i].second);

@@ -162,6 +162,22 @@ void TestContactWords::faultIsTold_data()
             p.own.contacts[2].landed = {-1.0, 0.5};
         },
         "it was put to (-1, 0.5) m");
+    const auto misplaced = [](Misplacement::Where where) -> Spoil {
+        return [where](BothPairs &p) {
+            p.own.contacts[1].misplaced = Misplacement{where, 0.003};
+            p.own.contacts[2].misplaced = Misplacement{where, 0.015};
+            p.own.contacts[2].misplacedCircle = 1;
+        };
+    };
+    row("A hit pushes circle 2 into the other one", misplaced(Misplacement::Where::Into),
+        "to 0.39 m from each other the hit put circle 2 0.015 m nearer");
+    row("A hit puts circle 2 too far away", misplaced(Misplacement::Where::Away),
+        "0.015 m farther from the other one");
+    row("A hit moves circle 2 to the side", misplaced(Misplacement::Where::Aside),
+        "0.015 m to the side");
+    row("", [](BothPairs &p) {
+        p.own.contacts[2].misplaced = p.right.contacts[2].misplaced = Misplacement{};
+    });
     row("", [](BothPairs &p) { p.own.contacts[2].leaper = p.right.contacts[2].leaper = 1; });
 }
 

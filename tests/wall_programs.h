@@ -170,6 +170,26 @@ inline void turnedBack(Circle &c, Vec2 gravity, double e, double h)
         c.velocity.x = -c.velocity.x;
 }
 
+/// Right, but put 10 cm too far in.
+inline void gap(Circle &c, Vec2 gravity, double e, double h)
+{
+    clamp(c, gravity, e, h);
+    const double reach = wall - c.radius;
+    for (double Vec2::*part : {&Vec2::x, &Vec2::y}) {
+        if (std::abs(c.position.*part) == reach)
+            c.position.*part *= (reach - 0.1) / reach;
+    }
+}
+
+/// Right, but a wall at the side puts it 10 cm lower.
+inline void slide(Circle &c, Vec2 gravity, double e, double h)
+{
+    const double before = c.velocity.x;
+    mirror(c, gravity, e, h);
+    if (before * c.velocity.x < 0.0)
+        c.position.y -= 0.1;
+}
+
 inline constexpr Way mistakes[] = {{"whole velocity turned", wholeVelocity},
                                    {"only two walls", twoWalls},
                                    {"centre instead of rim", centre},
@@ -178,6 +198,8 @@ inline constexpr Way mistakes[] = {{"whole velocity turned", wholeVelocity},
                                    {"e twice", twiceRestitution},
                                    {"e along the wall, too", restitutionOnBothParts},
                                    {"no rebound", absorbed},
-                                   {"turned back as it leaves", turnedBack}};
+                                   {"turned back as it leaves", turnedBack},
+                                   {"a gap at the wall", gap},
+                                   {"moved along the wall", slide}};
 
 } // namespace cradle::programs::walls

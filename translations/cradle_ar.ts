@@ -1175,6 +1175,30 @@
         <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>
         <translation>خلال ⁦%2 s⁩ لم تصل الدائرة ⁨%1⁩ إلى الأرضية قط؛ يجب أن يُرى ذلك للحكم على وصولها إلى السكون</translation>
     </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m nearer to the other one than its velocities before and after it take it; a hit may move circles apart, not into each other</source>
+        <translation>في الخطوة ⁨%1⁩ وضع التصادم الدائرة ⁨%2⁩ أقرب إلى الأخرى بمقدار ⁦%3 m⁩ مما تأخذها إليه سرعتاها قبله وبعده؛ يجوز أن يباعد التصادم بين الدائرتين، لا أن يُدخل إحداهما في الأخرى</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m farther from the other one than its velocities and twice what they overlapped explain; it is enough that they touch</source>
+        <translation>في الخطوة ⁨%1⁩ وضع التصادم الدائرة ⁨%2⁩ أبعد عن الأخرى بمقدار ⁦%3 m⁩ مما تفسره سرعتاها وضعف التداخل؛ يكفي أن تتلامسا</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m to the side of the ways that its velocities before and after it take it; a hit may move circles apart along the line of centres only</source>
+        <translation>في الخطوة ⁨%1⁩ وضع التصادم الدائرة ⁨%2⁩ على بعد ⁦%3 m⁩ جانبًا عن المسارات التي تأخذها فيها سرعتاها قبله وبعده؛ لا يجوز أن يباعد التصادم بين الدائرتين إلا على امتداد خط المركزين</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m further in from the %3 than its velocities and twice the way of its rim beyond the wall explain; it is enough that its rim is at the wall</source>
+        <translation>في الخطوة ⁨%1⁩ وُضعت الدائرة ⁨%2⁩ أبعد إلى الداخل عن ⁨%3⁩ بمقدار ⁦%4 m⁩ مما تفسره سرعتاها وضعف المسافة التي تجاوزت بها حافتها الجدار؛ يكفي أن تكون حافتها عند الجدار</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m further out at the %3 than its velocity takes it; it belongs where its rim is at the wall, or back</source>
+        <translation>في الخطوة ⁨%1⁩ وُضعت الدائرة ⁨%2⁩ عند ⁨%3⁩ أبعد إلى الخارج بمقدار ⁦%4 m⁩ مما تأخذها إليه سرعتها؛ مكانها حيث تكون حافتها عند الجدار، أو من حيث جاءت</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m along the %3 beside the ways that its velocities before and after it take it; a wall should move it inward only, or back</source>
+        <translation>في الخطوة ⁨%1⁩ وُضعت الدائرة ⁨%2⁩ على بعد ⁦%4 m⁩ على امتداد ⁨%3⁩ جانبًا عن المسارات التي تأخذها فيها سرعتاها قبله وبعده؛ ينبغي أن يزيحها الجدار إلى الداخل فقط، أو أن تعود من حيث جاءت</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -5471,6 +5495,30 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>What a hit does depends on the timestep</source>
         <translation>ما يفعله التصادم يتعلق بالخطوة الزمنية</translation>
+    </message>
+    <message>
+        <source>A hit pushes circle %1 into the other one
+
+In a step that would have brought their centres to %2 m from each other the hit put circle %1 %4 m nearer to the other one than its velocities before and after it take it; rims touch at %3 m. Each goes back to where it came from, or they are moved apart: look at the sign of the way that circle %1 is moved, and at whose velocity is in it.</source>
+        <translation>يدفع التصادم الدائرة ⁨%1⁩ داخل الأخرى
+
+في خطوة كانت ستجعل المسافة بين المركزين ⁦%2 m⁩ وضع التصادم الدائرة ⁨%1⁩ أقرب إلى الأخرى بمقدار ⁦%4 m⁩ مما تأخذها إليه سرعتاها قبله وبعده؛ وتتلامس الحافتان عند ⁦%3 m⁩. تعود كل منهما من حيث جاءت، أو يُباعَد بينهما: انظر إشارة المسافة التي تُزاح بها الدائرة ⁨%1⁩، وسرعة أي دائرة تدخل فيها.</translation>
+    </message>
+    <message>
+        <source>A hit puts circle %1 too far away
+
+In a step that would have brought their centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m farther from the other one than its velocities and twice that overlap explain. It is enough that they touch: look at how far it is moved.</source>
+        <translation>يضع التصادم الدائرة ⁨%1⁩ أبعد مما ينبغي
+
+في خطوة كانت ستجعل المسافة بين المركزين ⁦%2 m⁩، بينما تتلامس الحافتان عند ⁦%3 m⁩، وضع التصادم الدائرة ⁨%1⁩ أبعد عن الأخرى بمقدار ⁦%4 m⁩ مما تفسره سرعتاها وضعف ذلك التداخل. يكفي أن تتلامسا: انظر كم تُزاح.</translation>
+    </message>
+    <message>
+        <source>A hit moves circle %1 to the side
+
+In a step that would have brought their centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m to the side of the ways that its velocities before and after it take it. A hit may move circles apart along the line of centres only: look at the direction in which it is moved, and at whose velocity is in it.</source>
+        <translation>يزيح التصادم الدائرة ⁨%1⁩ إلى الجانب
+
+في خطوة كانت ستجعل المسافة بين المركزين ⁦%2 m⁩، بينما تتلامس الحافتان عند ⁦%3 m⁩، وضع التصادم الدائرة ⁨%1⁩ على بعد ⁦%4 m⁩ جانبًا عن المسارات التي تأخذها فيها سرعتاها قبله وبعده. لا يجوز أن يباعد التصادم بين الدائرتين إلا على امتداد خط المركزين: انظر الاتجاه الذي تُزاح إليه، وسرعة أي دائرة تدخل فيه.</translation>
     </message>
 </context>
 <context>

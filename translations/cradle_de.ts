@@ -1167,6 +1167,30 @@
         <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>
         <translation>In %2 s kam Kreis %1 nie zum Boden; das muss zu sehen sein, um zu beurteilen, wie er zur Ruhe kommt</translation>
     </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m nearer to the other one than its velocities before and after it take it; a hit may move circles apart, not into each other</source>
+        <translation>In Schritt %1 setzte der Stoß Kreis %2 um %3 m näher an den anderen, als ihn seine Geschwindigkeiten davor und danach bringen; ein Stoß darf die Kreise auseinandersetzen, nicht ineinander</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m farther from the other one than its velocities and twice what they overlapped explain; it is enough that they touch</source>
+        <translation>In Schritt %1 setzte der Stoß Kreis %2 um %3 m weiter vom anderen weg, als seine Geschwindigkeiten und das Doppelte der Überlappung erklären; es genügt, dass sie sich berühren</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m to the side of the ways that its velocities before and after it take it; a hit may move circles apart along the line of centres only</source>
+        <translation>In Schritt %1 setzte der Stoß Kreis %2 um %3 m seitlich neben die Wege, die ihn seine Geschwindigkeiten davor und danach bringen; ein Stoß darf die Kreise nur entlang der Mittelpunktslinie auseinandersetzen</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m further in from the %3 than its velocities and twice the way of its rim beyond the wall explain; it is enough that its rim is at the wall</source>
+        <translation>In Schritt %1 wurde Kreis %2 um %4 m weiter von %3 weg nach innen gesetzt, als seine Geschwindigkeiten und das Doppelte des Weges seines Randes hinter die Wand erklären; es genügt, dass sein Rand an der Wand ist</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m further out at the %3 than its velocity takes it; it belongs where its rim is at the wall, or back</source>
+        <translation>In Schritt %1 wurde Kreis %2 an %3 um %4 m weiter nach außen gesetzt, als ihn seine Geschwindigkeit bringt; er gehört dorthin, wo sein Rand an der Wand ist, oder zurück</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m along the %3 beside the ways that its velocities before and after it take it; a wall should move it inward only, or back</source>
+        <translation>In Schritt %1 wurde Kreis %2 um %4 m entlang von %3 neben die Wege gesetzt, die ihn seine Geschwindigkeiten davor und danach bringen; eine Wand soll ihn nur nach innen versetzen, oder zurück</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -5395,6 +5419,30 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>What a hit does depends on the timestep</source>
         <translation>Was ein Stoß tut, hängt vom Zeitschritt ab</translation>
+    </message>
+    <message>
+        <source>A hit pushes circle %1 into the other one
+
+In a step that would have brought their centres to %2 m from each other the hit put circle %1 %4 m nearer to the other one than its velocities before and after it take it; rims touch at %3 m. Each goes back to where it came from, or they are moved apart: look at the sign of the way that circle %1 is moved, and at whose velocity is in it.</source>
+        <translation>Ein Stoß schiebt Kreis %1 in den anderen
+
+In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, setzte der Stoß Kreis %1 um %4 m näher an den anderen, als ihn seine Geschwindigkeiten davor und danach bringen; die Ränder berühren sich bei %3 m. Jeder geht dorthin zurück, woher er kam, oder sie werden auseinandergesetzt: Sieh dir das Vorzeichen des Weges an, um den Kreis %1 versetzt wird, und wessen Geschwindigkeit darin steht.</translation>
+    </message>
+    <message>
+        <source>A hit puts circle %1 too far away
+
+In a step that would have brought their centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m farther from the other one than its velocities and twice that overlap explain. It is enough that they touch: look at how far it is moved.</source>
+        <translation>Ein Stoß setzt Kreis %1 zu weit weg
+
+In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sich die Ränder bei %3 m berühren, setzte der Stoß Kreis %1 um %4 m weiter vom anderen weg, als seine Geschwindigkeiten und das Doppelte dieser Überlappung erklären. Es genügt, dass sie sich berühren: Sieh dir an, wie weit er versetzt wird.</translation>
+    </message>
+    <message>
+        <source>A hit moves circle %1 to the side
+
+In a step that would have brought their centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m to the side of the ways that its velocities before and after it take it. A hit may move circles apart along the line of centres only: look at the direction in which it is moved, and at whose velocity is in it.</source>
+        <translation>Ein Stoß versetzt Kreis %1 zur Seite
+
+In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sich die Ränder bei %3 m berühren, setzte der Stoß Kreis %1 um %4 m seitlich neben die Wege, die ihn seine Geschwindigkeiten davor und danach bringen. Ein Stoß darf die Kreise nur entlang der Mittelpunktslinie auseinandersetzen: Sieh dir die Richtung an, in die er versetzt wird, und wessen Geschwindigkeit darin steht.</translation>
     </message>
 </context>
 <context>

@@ -1167,6 +1167,30 @@
         <source>In %2 s circle %1 never came to the floor; that must be seen to judge how it comes to rest</source>
         <translation>En %2 s, le cercle %1 n&apos;est jamais arrivé au sol&#xa0;; il faut le voir pour évaluer comment il s&apos;immobilise</translation>
     </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m nearer to the other one than its velocities before and after it take it; a hit may move circles apart, not into each other</source>
+        <translation>Au pas %1, le choc a placé le cercle %2 de %3 m plus près de l&apos;autre que ne l&apos;amènent ses vitesses avant et après&#xa0;; un choc peut écarter les cercles, pas les enfoncer l&apos;un dans l&apos;autre</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m farther from the other one than its velocities and twice what they overlapped explain; it is enough that they touch</source>
+        <translation>Au pas %1, le choc a placé le cercle %2 de %3 m plus loin de l&apos;autre que ne l&apos;expliquent ses vitesses et le double du chevauchement&#xa0;; il suffit qu&apos;ils se touchent</translation>
+    </message>
+    <message>
+        <source>At step %1 the hit put circle %2 %3 m to the side of the ways that its velocities before and after it take it; a hit may move circles apart along the line of centres only</source>
+        <translation>Au pas %1, le choc a placé le cercle %2 à %3 m à côté des chemins où l&apos;amènent ses vitesses avant et après&#xa0;; un choc ne peut écarter les cercles que le long de la ligne des centres</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m further in from the %3 than its velocities and twice the way of its rim beyond the wall explain; it is enough that its rim is at the wall</source>
+        <translation>Au pas %1, le cercle %2 a été placé, contre %3, de %4 m plus à l&apos;intérieur que ne l&apos;expliquent ses vitesses et le double du chemin de son bord au-delà de la paroi&#xa0;; il suffit que son bord soit à la paroi</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m further out at the %3 than its velocity takes it; it belongs where its rim is at the wall, or back</source>
+        <translation>Au pas %1, le cercle %2 a été placé, contre %3, de %4 m plus à l&apos;extérieur que ne l&apos;amène sa vitesse&#xa0;; sa place est là où son bord touche la paroi, ou en arrière</translation>
+    </message>
+    <message>
+        <source>At step %1 circle %2 was put %4 m along the %3 beside the ways that its velocities before and after it take it; a wall should move it inward only, or back</source>
+        <translation>Au pas %1, le cercle %2 a été placé, contre %3, à %4 m sur le côté des chemins où l&apos;amènent ses vitesses avant et après&#xa0;; une paroi ne doit le déplacer que vers l&apos;intérieur, ou en arrière</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>
@@ -5395,6 +5419,30 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>What a hit does depends on the timestep</source>
         <translation>Ce que fait un choc dépend du pas de temps</translation>
+    </message>
+    <message>
+        <source>A hit pushes circle %1 into the other one
+
+In a step that would have brought their centres to %2 m from each other the hit put circle %1 %4 m nearer to the other one than its velocities before and after it take it; rims touch at %3 m. Each goes back to where it came from, or they are moved apart: look at the sign of the way that circle %1 is moved, and at whose velocity is in it.</source>
+        <translation>Un choc enfonce le cercle %1 dans l&apos;autre
+
+Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, le choc a placé le cercle %1 de %4 m plus près de l&apos;autre que ne l&apos;amènent ses vitesses avant et après&#xa0;; les bords se touchent à %3 m. Chacun retourne d&apos;où il venait, ou on les écarte&#xa0;: regardez le signe du déplacement que reçoit le cercle %1, et la vitesse de quel cercle y figure.</translation>
+    </message>
+    <message>
+        <source>A hit puts circle %1 too far away
+
+In a step that would have brought their centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m farther from the other one than its velocities and twice that overlap explain. It is enough that they touch: look at how far it is moved.</source>
+        <translation>Un choc place le cercle %1 trop loin
+
+Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, alors que les bords se touchent à %3 m, le choc a placé le cercle %1 de %4 m plus loin de l&apos;autre que ne l&apos;expliquent ses vitesses et le double de ce chevauchement. Il suffit qu&apos;ils se touchent&#xa0;: regardez de combien il est déplacé.</translation>
+    </message>
+    <message>
+        <source>A hit moves circle %1 to the side
+
+In a step that would have brought their centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m to the side of the ways that its velocities before and after it take it. A hit may move circles apart along the line of centres only: look at the direction in which it is moved, and at whose velocity is in it.</source>
+        <translation>Un choc déplace le cercle %1 sur le côté
+
+Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, alors que les bords se touchent à %3 m, le choc a placé le cercle %1 à %4 m à côté des chemins où l&apos;amènent ses vitesses avant et après. Un choc ne peut écarter les cercles que le long de la ligne des centres&#xa0;: regardez la direction dans laquelle il est déplacé, et la vitesse de quel cercle y figure.</translation>
     </message>
 </context>
 <context>

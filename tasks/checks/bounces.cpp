@@ -213,6 +213,8 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
                 return fault;
             if (auto fault = turn.faultAlong(Wall::Bottom, Wall::Top))
                 return fault;
+            if (auto fault = turn.misplaced())
+                return fault;
             hits += turn.isHit() ? 1 : 0;
         }
     }

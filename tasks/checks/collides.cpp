@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/checks/check_kinds.h"
 #include "tasks/checks/contact_faults.h"
+#include "tasks/checks/hit_places.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
 
@@ -85,6 +86,41 @@ std::optional<Fault> leapIn(const ContactAnswer &answer, Vec2 gravity)
     return fault ? fault : motion::leap(answer.o, answer.b, k, way);
 }
 
+/// What circle \p i, one of the two of \p answer, makes of its place in the step of the hit.
+HitPlace placeOf(const ContactAnswer &answer, int i)
+{
+    const motion::Contact &contact = answer.contact;
+    const Circle &before = answer.o.circle(i, contact.step);
+    const Circle &after = answer.o.circle(i, contact.step + 1);
+    const Circle &other = answer.o.circle(i == answer.a ? answer.b : answer.a, contact.step);
+    const double dt = answer.o.timestep();
+    const Vec2 normal = answer.middleNormal();
+    double turn = 0.0;
+    for (const Vec2 each :
+         {contact.normalFirst, contact.normalLast, contact.normalA, contact.normalB})
+        turn = std::max(turn, std::abs(cross(each, normal)) / dot(each, normal));
+    return {.apart = i == answer.a ? -1.0 * normal : normal,
+            .turn = turn,
+            .overlap = std::max(0.0, -contact.nearest),
+            .isLate = quickLength(other.position - before.position) < before.radius + other.radius,
+            .free = dt * before.velocity,
+            .bounced = dt * after.velocity,
+            .made = after.position - before.position};
+}
+
+/// A circle that the hit puts into the other, aside or far away.
+std::optional<Fault> misplacedBy(const ContactAnswer &answer, Vec2 gravity)
+{
+    for (const int i : {answer.a, answer.b}) {
+        const double slack = motion::samePosition + 2.0 * slackOf(answer.o, gravity);
+        const auto found = misplacementOf(placeOf(answer, i), slack);
+        // Who goes another way in the open, too, is told that by checks of the motion.
+        if (found && !motion::steadyFaultOf(answer.o, answer.a, answer.b, gravity))
+            return contact_faults::misplaced(answer, i, *found);
+    }
+    return std::nullopt;
+}
+
 /// Whether only the hit that a scene of parting circles begins with was answered. A program that
 /// remembers a hit instead of asking for approach cannot know of one before the scene; who asks for
 /// nothing answers again as soon as they part again.
@@ -154,6 +190,9 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
             fault = judge(answer);
         if (!fault)
             fault = leapIn(answer, gravity);
+        // A wall may put them elsewhere, too.
+        if (!fault && !motion::isBesideWall(o, 0, 1, contact, gravity))
+            fault = misplacedBy(answer, gravity);
         // One that turned before it touched anything has met no wall either.
         const bool isEarly = contact.nearest > gapAllowed + slackOf(o, gravity);
         if (fault && (isEarly || !motion::isBesideWall(o, 0, 1, contact, gravity)))

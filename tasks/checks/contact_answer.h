@@ -23,6 +23,8 @@ struct ContactAnswer {
     [[nodiscard]] std::pair<Vec2, Vec2> expected(CircleLaw law, Vec2 n) const;
     /// The normal that the program took if it is honest, else that of the middle of the step.
     [[nodiscard]] Vec2 normal() const;
+    /// That of the middle of the step.
+    [[nodiscard]] Vec2 middleNormal() const;
     /// How fast they came nearer, m/s; negative if they were moving apart.
     [[nodiscard]] double approach() const;
     /// What the contact took from the velocities after it, m/s².
@@ -31,7 +33,6 @@ struct ContactAnswer {
 private:
     [[nodiscard]] Vec2 usedNormal() const;
     [[nodiscard]] bool isHonest(Vec2 n) const;
-    [[nodiscard]] Vec2 middleNormal() const;
 };
 
 } // namespace cradle

@@ -141,6 +141,30 @@ Fault wrongRebound(const ContactAnswer &answer, double closing, double parting)
             .step = answer.contact.step + 1};
 }
 
+Fault misplaced(const ContactAnswer &answer, int who, const Misplacement &found)
+{
+    using Where = Misplacement::Where;
+    const QString text =
+        found.where == Where::Into
+            ? ContactText::tr("At step %1 the hit put circle %2 %3 m nearer to the other one than "
+                              "its velocities before and after it take it; a hit may move circles "
+                              "apart, not into each other")
+        : found.where == Where::Away
+            ? ContactText::tr("At step %1 the hit put circle %2 %3 m farther from the other one "
+                              "than its velocities and twice what they overlapped explain; it is "
+                              "enough that they touch")
+            : ContactText::tr("At step %1 the hit put circle %2 %3 m to the side of the ways that "
+                              "its velocities before and after it take it; a hit may move circles "
+                              "apart along the line of centres only");
+    return {.message = text.arg(QString::number(answer.contact.step + 1), QString::number(who + 1),
+                                motion::figure(found.by)),
+            .expected = 0.0,
+            .observed = found.by,
+            .unit = QStringLiteral("m"),
+            .step = answer.contact.step + 1,
+            .circle = who};
+}
+
 /// \param e  of the scene
 Fault missed(qint64 step, double e)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/checks/contact_answer.h"
+#include "tasks/checks/hit_places.h"
 
 #include <cstddef>
 
@@ -17,6 +18,8 @@ namespace cradle::contact_faults {
 [[nodiscard]] Fault wrongAnswer(const ContactAnswer &answer, CircleLaw law);
 /// Their relative speed along the normal, m/s, did not become e times what it was.
 [[nodiscard]] Fault wrongRebound(const ContactAnswer &answer, double closing, double parting);
+/// The hit put circle \p who, from 0, where it does not belong.
+[[nodiscard]] Fault misplaced(const ContactAnswer &answer, int who, const Misplacement &found);
 /// By \p step they have run into each other, and nothing happened. \param e  of the scene
 [[nodiscard]] Fault missed(qint64 step, double e);
 /// By \p step they have run into each other; the answer came in the step that makes state

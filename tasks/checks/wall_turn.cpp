@@ -219,4 +219,65 @@ bool Turn::isHit() const
     });
 }
 
+HitPlace Turn::placeAt(Wall wall) const
+{
+    const Circle &before = o.circle(circle, step);
+    const Circle &after = o.circle(circle, step + 1);
+    const double dt = o.timestep();
+    const Vec2 inward = -1.0 * outwardNormal(wall);
+    const double gap = motion::wallGap(o, before, wall);
+    const double reached = gap + dt * dot(before.velocity, inward);
+    return {.apart = inward,
+            .overlap = std::max(0.0, -std::min(gap, reached)),
+            .isLate = gap < 0.0,
+            .free = dt * before.velocity,
+            .bounced = dt * after.velocity,
+            .made = after.position - before.position};
+}
+
+std::optional<Fault> Turn::misplaced() const
+{
+    if (!isHit())
+        return std::nullopt;
+    const double dt = o.timestep();
+    const double slack = motion::samePosition + 2.0 * quickLength(gravity) * dt * dt;
+    const auto walls = std::count_if(std::begin(allWalls), std::end(allWalls),
+                                     [&](Wall wall) { return reaches(wall); });
+    for (const Wall wall : allWalls) {
+        const double pushed = -dot(motion::kick(o, circle, step, gravity), outwardNormal(wall));
+        if (!reaches(wall) || pushed <= stopped)
+            continue;
+        const auto found = misplacementOf(placeAt(wall), slack);
+        // In a corner the other wall may move it along this one.
+        if (!found || (found->where == Misplacement::Where::Aside && walls > 1))
+            continue;
+        // Who goes another way in the open, too, is told that by checks of the motion.
+        if (motion::steadyFault(o, circle, gravity))
+            return std::nullopt;
+        return misplacedAt(wall, *found);
+    }
+    return std::nullopt;
+}
+
+Fault Turn::misplacedAt(Wall wall, const Misplacement &found) const
+{
+    using Where = Misplacement::Where;
+    const QString text =
+        found.where == Where::Away
+            ? BounceText::tr("At step %1 circle %2 was put %4 m further in from the %3 than its "
+                             "velocities and twice the way of its rim beyond the wall explain; it "
+                             "is enough that its rim is at the wall")
+        : found.where == Where::Into
+            ? BounceText::tr("At step %1 circle %2 was put %4 m further out at the %3 than its "
+                             "velocity takes it; it belongs where its rim is at the wall, or back")
+            : BounceText::tr("At step %1 circle %2 was put %4 m along the %3 beside the ways that "
+                             "its velocities before and after it take it; a wall should move it "
+                             "inward only, or back");
+    Fault said = fault(text.arg(QString::number(step + 1), QString::number(circle + 1),
+                                motion::wallName(wall), motion::figure(found.by)),
+                       0.0, found.by);
+    said.unit = QStringLiteral("m");
+    return said;
+}
+
 } // namespace cradle::kinds

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tasks/checks/check_library.h"
+#include "tasks/checks/hit_places.h"
 
 namespace cradle::kinds {
 
@@ -25,6 +26,9 @@ struct Turn {
     [[nodiscard]] std::optional<Fault> faultAlong(Wall low, Wall high) const;
     /// Whether a wall turned or stopped it, and not only held what rests there.
     [[nodiscard]] bool isHit() const;
+    /// Judges where a wall that turned or stopped it put it: at the wall, as far inside as it was
+    /// beyond it, back, or on its way; not further in, and not along the wall.
+    [[nodiscard]] std::optional<Fault> misplaced() const;
 
 private:
     /// Whether the way of one step, along its normal, takes the rim to that wall, or the step did.
@@ -32,6 +36,9 @@ private:
     /// Judges a bounce off \p wall: v_n' = −e v_n, with gravity's part of the step before or after
     /// it.
     [[nodiscard]] std::optional<Fault> faultAt(Wall wall) const;
+    /// What a wall makes of its place in that step, as if the wall were a circle that stays.
+    [[nodiscard]] HitPlace placeAt(Wall wall) const;
+    [[nodiscard]] Fault misplacedAt(Wall wall, const Misplacement &found) const;
     [[nodiscard]] Fault againAt(Wall wall) const;
     [[nodiscard]] Fault wrongAt(Wall wall, double first, double last) const;
     [[nodiscard]] Fault alongWall(Vec2 axis, double change) const;

@@ -32,6 +32,9 @@ public:
             findPutFar();
         if (m_found.size() == before)
             findPutTogether();
+        // A wrong push may be what moves them.
+        if (m_found.size() == before && answersRightly())
+            findMisplaced();
         // A wrong direction shows here, too; it is the response that is wrong.
         if (!divided.isOfWay() && !isDirectionWrong())
             take(meetingDeviations(Meetings::Parting, m_own, m_right, m_ground));
@@ -118,6 +121,51 @@ private:
                             "that each of the two gets.")
                 .arg(brief(at->reached), brief(at->after), brief(at->meeting.sum())),
             *at, Suspect::Answer);
+    }
+
+    /// A hit puts a circle where neither its velocities nor moving them apart take it.
+    void findMisplaced()
+    {
+        const auto isMisplaced = [](const PairHit &h) { return h.misplaced.has_value(); };
+        const auto less = [](const PairHit &a, const PairHit &b) {
+            return (a.misplaced ? a.misplaced->by : 0.0) < (b.misplaced ? b.misplaced->by : 0.0);
+        };
+        const auto at = std::max_element(m_own.contacts.begin(), m_own.contacts.end(), less);
+        if (at == m_own.contacts.end() || !at->misplaced
+            || std::any_of(m_right.contacts.begin(), m_right.contacts.end(), isMisplaced))
+            return;
+        m_found.push_back(
+            {Aspect::Contact,
+             misplacedText(*at).arg(QString::number(at->misplacedCircle + 1), brief(at->reached),
+                                    brief(at->meeting.sum()), brief(at->misplaced->by)),
+             {at->stage, at->step, {at->misplacedCircle}, true}});
+    }
+
+    [[nodiscard]] static QString misplacedText(const PairHit &hit)
+    {
+        switch (hit.misplaced->where) {
+        case Misplacement::Where::Into:
+            return ContactText::tr(
+                "A hit pushes circle %1 into the other one\n\nIn a step that would have brought "
+                "their centres to %2 m from each other the hit put circle %1 %4 m nearer to the "
+                "other one than its velocities before and after it take it; rims touch at %3 m. "
+                "Each goes back to where it came from, or they are moved apart: look at the sign "
+                "of the way that circle %1 is moved, and at whose velocity is in it.");
+        case Misplacement::Where::Away:
+            return ContactText::tr(
+                "A hit puts circle %1 too far away\n\nIn a step that would have brought their "
+                "centres to %2 m from each other, where rims touch at %3 m, the hit put circle %1 "
+                "%4 m farther from the other one than its velocities and twice that overlap "
+                "explain. It is enough that they touch: look at how far it is moved.");
+        case Misplacement::Where::Aside:
+            break;
+        }
+        return ContactText::tr(
+            "A hit moves circle %1 to the side\n\nIn a step that would have brought their centres "
+            "to %2 m from each other, where rims touch at %3 m, the hit put circle %1 %4 m to the "
+            "side of the ways that its velocities before and after it take it. A hit may move "
+            "circles apart along the line of centres only: look at the direction in which it is "
+            "moved, and at whose velocity is in it.");
     }
 
     /// A hit puts each circle near its own path, not at the place of the other.

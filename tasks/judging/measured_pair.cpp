@@ -314,7 +314,8 @@ bool MeasuredPair::sequelIsLike(const MeasuredPair &other) const
         return a.answered == b.answered;
     };
     const auto leaps = [](const PairHit &a, const PairHit &b) {
-        return a.leaper == b.leaper && a.isPutFar() == b.isPutFar();
+        return a.leaper == b.leaper && a.isPutFar() == b.isPutFar()
+               && a.misplaced.has_value() == b.misplaced.has_value();
     };
     return (ownContacts > 1) == (other.ownContacts > 1)
            && std::equal(contacts.begin(), contacts.end(), other.contacts.begin(),

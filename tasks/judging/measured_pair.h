@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/checks/hit_places.h"
 #include "tasks/judging/measured_flight.h"
 #include "tasks/judging/occasions.h"
 
@@ -56,14 +57,16 @@ struct PairHit {
     bool parting = false;  ///< they had passed each other, or moved apart already
     bool moved1 = false;   ///< its place was set before, and no velocity changed
     bool moved2 = false;
-    bool stopped = false;     ///< the program stopped with an error
-    bool late = false;        ///< others, coming along the same line, are answered long before
-    int leaper = -1;          ///< the circle, from 0, that it put far from its own path
-    Vec2 landed{};            ///< and where, m
-    bool again = false;       ///< of those that part: it was answered again at once
-    bool partsInside = false; ///< after that they overlap still, and move apart
-    qint64 step = 0;          ///< in which it was answered, from 1
-    bool isAtOnce = false;    ///< in the first that was looked at
+    bool stopped = false; ///< the program stopped with an error
+    bool late = false;    ///< others, coming along the same line, are answered long before
+    int leaper = -1;      ///< the circle, from 0, that it put far from its own path
+    Vec2 landed{};        ///< and where, m
+    std::optional<Misplacement> misplaced{}; ///< what its answer makes of a place, the worst
+    int misplacedCircle = 0;                 ///< whose, from 0
+    bool again = false;                      ///< of those that part: it was answered again at once
+    bool partsInside = false;                ///< after that they overlap still, and move apart
+    qint64 step = 0;                         ///< in which it was answered, from 1
+    bool isAtOnce = false;                   ///< in the first that was looked at
     Stage stage{};
 
     /// Whether it was answered when they met, not while they ran through each other.

@@ -327,6 +327,7 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
     hit.left2 = now2.velocity / hit.slowness;
     noteLeap(hit, 0, before[0].position, free1.position, now1);
     noteLeap(hit, 1, before[1].position, free2.position, now2);
+    notePlaces(hit, before, probe, gravity);
     const Vec2 then = now2.position - now1.position;
     hit.after = length(then);
     hit.partsInside = length(then) < (now1.radius + now2.radius) * (1.0 - 1e-9)
@@ -341,6 +342,35 @@ void PairRange::noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, const
     if (leap > std::max(0.6 * hit.meeting.sum() + 4.0 * length(free - before), 1.01 * flown)) {
         hit.leaper = circle;
         hit.landed = now.position;
+    }
+}
+
+void PairRange::notePlaces(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
+                           Vec2 gravity) const
+{
+    // Who is set before every step is not where its own step would take it.
+    if (!isEven() || !hit.isMet())
+        return;
+    constexpr double smallest = 1e-5; // m: less is a drift of every step
+    const double h = probe.start().timestep;
+    const Vec2 normal = normalized(hit.normal + hit.nextNormal);
+    for (const int i : {0, 1}) {
+        const Circle &was = before[static_cast<std::size_t>(i)];
+        const Circle &now = probe.circle(i);
+        const Motion free = freely(static_cast<std::size_t>(i), before, h, gravity);
+        const HitPlace place{
+            .apart = i == 0 ? -1.0 * normal : normal,
+            .turn = length(hit.nextNormal - hit.normal),
+            .overlap = std::max(0.0, hit.meeting.sum() - std::min(hit.before, hit.reached)),
+            .isLate = hit.before < hit.meeting.sum(),
+            .free = free.position - was.position,
+            .bounced = h / slowness(h) * now.velocity,
+            .made = now.position - was.position};
+        const auto found = misplacementOf(place, smallest + 2.0 * length(gravity) * h * h);
+        if (found && (!hit.misplaced || found->by > hit.misplaced->by)) {
+            hit.misplaced = found;
+            hit.misplacedCircle = i;
+        }
     }
 }
 

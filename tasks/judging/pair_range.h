@@ -129,6 +129,10 @@ private:
     /// Whether a circle was put farther from its path than any way of parting two puts it.
     void noteLeap(PairHit &hit, int circle, Vec2 before, Vec2 free, const Circle &now) const;
 
+    /// What the answer of \p hit made of the places in the step from \p before.
+    void notePlaces(PairHit &hit, const std::vector<Circle> &before, const Probe &probe,
+                    Vec2 gravity) const;
+
     const QString *m_program;
     const Ground &m_ground;
     const MeasuredFlight &m_flight;
