@@ -87,7 +87,7 @@ std::vector<HitPair> equalHits(const MeasuredPair &own, const MeasuredPair &righ
 }
 
 /// Between what the size of the push lies in steps of the usual length, if it is not the same in
-/// all by some share of \p factor, or far from that.
+/// all by some share of \p factor.
 std::optional<std::pair<double, double>> rangeOfPush(const MeasuredPair &own,
                                                      const MeasuredPair &right, double factor)
 {
@@ -102,12 +102,8 @@ std::optional<std::pair<double, double>> rangeOfPush(const MeasuredPair &own,
         least = std::min(least, factorOf(mine, right.contacts[i]));
         most = std::max(most, factorOf(mine, right.contacts[i]));
     }
-    if (!(most >= least))
-        return std::nullopt;
-    const double off = std::max(std::abs(most - factor), std::abs(least - factor));
-    return most - least > blur * std::abs(factor) || off > 0.5 * std::abs(factor)
-               ? std::optional(std::pair(least, most))
-               : std::nullopt;
+    return most - least > blur * std::abs(factor) ? std::optional(std::pair(least, most))
+                                                  : std::nullopt;
 }
 
 } // namespace
@@ -161,10 +157,7 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
                           .arg(briefTimestep(hit.stage.preset.timestep), brief(factor),
                                briefTimestep(mine.stage.preset.timestep), brief(other))};
     }
-    const auto range = rangeOfPush(own, right, factor);
-    if (range && brief(range->first) == brief(range->second))
-        return {ResponseText::tr("The push has the wrong size")};
-    if (range)
+    if (const auto range = rangeOfPush(own, right, factor))
         return {ResponseText::tr("The push has the wrong size"),
                 QLatin1Char(' ')
                     + ResponseText::tr("In meetings with a timestep of %1 s it was between %2 and "
