@@ -72,7 +72,8 @@ void addMoment(const Task &task, const ProgramLines &program, qint64 step, Numbe
                    << values.isWriteBack(line) << values.of(line);
     }
     to.origins << ran.now << ran.before << ran.special() << last
-               << PushOrigin::isSizeWrong(program.source(), task.solution, moment);
+               << HitAtMoment(program.source(), task.solution, moment).isSizeWrong();
+    const HitAtMoment hit(program.source(), task.solution, moment);
     QStringList guesses;
     for (const Aspect aspect : aspects) {
         for (const Suspect suspect : suspects) {
@@ -86,7 +87,7 @@ void addMoment(const Task &task, const ProgramLines &program, qint64 step, Numbe
                                 {.line = last,
                                  .origin = values.isWriteBack(last) ? std::optional(values.of(last))
                                                                     : std::nullopt,
-                                 .isSizeWrong = [] { return true; }});
+                                 .hit = [&] { return hit; }});
                 guesses.append(QString::number(line));
             }
         }

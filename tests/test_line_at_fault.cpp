@@ -33,6 +33,15 @@ void TestLineAtFault::findingMarksTheLine_data()
         "a.velocity = rel - push");
     row("own frame forgotten, second circle", frame, "b.velocity = base + push",
         "b.velocity = push");
+    row("a number in both pushes: the first", frame,
+        "a.velocity = base + rel - push\n  b.velocity = base + push",
+        "a.velocity = base + rel - 1.3 * push\n  b.velocity = base + 1.3 * push");
+    row("lost a little before the answer", frame, "  local base = b.velocity",
+        "  a.velocity = a.velocity * 0.99 local base = b.velocity");
+    row("lengths that are asked to be equal", frame, "if d:length() >= a.radius + b.radius then",
+        "if not (d:length() == a.radius + b.radius) then");
+    rowOfStep("walls of one circle alone", "L42T5", QString::fromLatin1(walled),
+              "  keep(circle1, old1)\n  keep(circle2, old2)", "  keep(circle1, old1)");
     row("what is kept, for what is given", flat, "avx * nx + avy * ny",
         "avx - (avx * nx + avy * ny)");
     row("setter: normal", objects, "d:normalized()", "d");

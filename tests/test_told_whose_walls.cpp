@@ -26,6 +26,7 @@ private slots:
     void lengthsAreToldWallByWall();
     void aStepTooLateIsTold();
     void oneSpeedOfTheWholeVelocityIsTold();
+    void densityInTheSpeedIsTold();
     void whoIsHeldBesideAWallIsNotTurned();
     void whoStopsInACornerIsTold();
 
@@ -214,6 +215,22 @@ void TestToldWhoseWalls::aStepTooLateIsTold()
     QCOMPARE(n[0], 1.0);
     QVERIFY(n[1] > 0.0);
     QVERIFY(isNear(n[2] - n[1], 2.9 / 60.0));
+}
+
+/// Besides e.
+void TestToldWhoseWalls::densityInTheSpeedIsTold()
+{
+    const QString walls = QStringLiteral("local came = c.velocity ") + wallsOf(wallWays[0])
+                          + QStringLiteral(" local v, k = c.velocity, 0.1 * c.density "
+                                           "if v.x ~= came.x then v = vec(k * v.x, v.y) end "
+                                           "if v.y ~= came.y then v = vec(v.x, k * v.y) end "
+                                           "c.velocity = v");
+    const auto n = numbersIn(
+        body(walls, "L42T17", "At the walls the density comes into the speed of both circles"),
+        "With ρ = # what comes back is # times the speed, with ρ = # it is # times");
+    QCOMPARE(n.size(), std::size_t{4});
+    QVERIFY(n[2] > 1.5 * n[0]);
+    QVERIFY(isNear(n[3] / n[1], n[2] / n[0]));
 }
 
 void TestToldWhoseWalls::oneSpeedOfTheWholeVelocityIsTold()

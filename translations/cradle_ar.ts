@@ -5520,6 +5520,14 @@ In a step that would have brought their centres to %2 m from each other, where r
 
 في خطوة كانت ستجعل المسافة بين المركزين ⁦%2 m⁩، بينما تتلامس الحافتان عند ⁦%3 m⁩، وضع التصادم الدائرة ⁨%1⁩ على بعد ⁦%4 m⁩ جانبًا عن المسارات التي تأخذها فيها سرعتاها قبله وبعده. لا يجوز أن يباعد التصادم بين الدائرتين إلا على امتداد خط المركزين: انظر الاتجاه الذي تُزاح إليه، وسرعة أي دائرة تدخل فيه.</translation>
     </message>
+    <message>
+        <source>At the %walls the density comes into the speed of %who</source>
+        <translation>عند %walls تدخل الكثافة في السرعة، لـ %who</translation>
+    </message>
+    <message>
+        <source>With ρ = %1 what comes back is %2 times the speed, with ρ = %3 it is %4 times; %5 is right.</source>
+        <translation>مع ρ = %1 يعود %2 ضعفًا من السرعة، ومع ρ = %3 يعود %4؛ والصحيح %5.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5444,6 +5444,14 @@ In a step that would have brought their centres to %2 m from each other, where r
 
 In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sich die Ränder bei %3 m berühren, setzte der Stoß Kreis %1 um %4 m seitlich neben die Wege, die ihn seine Geschwindigkeiten davor und danach bringen. Ein Stoß darf die Kreise nur entlang der Mittelpunktslinie auseinandersetzen: Sieh dir die Richtung an, in die er versetzt wird, und wessen Geschwindigkeit darin steht.</translation>
     </message>
+    <message>
+        <source>At the %walls the density comes into the speed of %who</source>
+        <translation>An %walls hängt die Geschwindigkeit von der Dichte ab, für %who</translation>
+    </message>
+    <message>
+        <source>With ρ = %1 what comes back is %2 times the speed, with ρ = %3 it is %4 times; %5 is right.</source>
+        <translation>Mit ρ = %1 kommt das %2-fache der Geschwindigkeit zurück, mit ρ = %3 das %4-fache; %5 ist richtig.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5444,6 +5444,14 @@ In a step that would have brought their centres to %2 m from each other, where r
 
 Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, alors que les bords se touchent à %3 m, le choc a placé le cercle %1 à %4 m à côté des chemins où l&apos;amènent ses vitesses avant et après. Un choc ne peut écarter les cercles que le long de la ligne des centres&#xa0;: regardez la direction dans laquelle il est déplacé, et la vitesse de quel cercle y figure.</translation>
     </message>
+    <message>
+        <source>At the %walls the density comes into the speed of %who</source>
+        <translation>Contre %walls, la densité entre dans la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>With ρ = %1 what comes back is %2 times the speed, with ρ = %3 it is %4 times; %5 is right.</source>
+        <translation>Avec ρ = %1, il revient %2 fois la vitesse, avec ρ = %3 %4 fois&#xa0;; %5 est juste.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -106,6 +106,7 @@ private:
                             "they touch: look at how far each of the two is moved.")
                 .arg(brief(at->reached), brief(at->after), brief(at->meeting.sum())),
             *at, Suspect::Answer);
+        m_found.back().moment.isPosition = true;
     }
 
     void findPutTogether()
@@ -121,6 +122,7 @@ private:
                             "that each of the two gets.")
                 .arg(brief(at->reached), brief(at->after), brief(at->meeting.sum())),
             *at, Suspect::Answer);
+        m_found.back().moment.isPosition = true;
     }
 
     /// A hit puts a circle where neither its velocities nor moving them apart take it.

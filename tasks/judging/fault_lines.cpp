@@ -6,7 +6,6 @@
 #include "tasks/judging/line_at_fault.h"
 #include "tasks/judging/line_guess.h"
 #include "tasks/judging/mending.h"
-#include "tasks/judging/push_origin.h"
 #include "tasks/judging/value_origin.h"
 #include "tasks/script/work_limit.h"
 
@@ -75,14 +74,13 @@ void FaultLines::point(Finding &finding, const LawDeviation &deviation,
     const int from = workedOut.value_or(0);
     const int proven = provenLine(deviation, ran, from ? from : finding.line, before);
     // Where a copy is at fault, the value itself in its place mends it, too.
-    const int line =
-        proven != 0 && deviation.suspect != Suspect::Copy
-            ? proven
-            : guessedLine(*m_submission.script, deviation, ran,
-                          {finding.line, workedOut, finding.calls, [&] {
-                               return PushOrigin::isSizeWrong(*m_submission.script, m_task.solution,
-                                                              deviation.moment);
-                           }});
+    const int line = proven != 0 && deviation.suspect != Suspect::Copy
+                         ? proven
+                         : guessedLine(*m_submission.script, deviation, ran,
+                                       {finding.line, workedOut, finding.calls, [&] {
+                                            return HitAtMoment(*m_submission.script,
+                                                               m_task.solution, deviation.moment);
+                                        }});
     if (line == finding.line)
         return;
     finding.line = line;

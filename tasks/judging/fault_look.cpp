@@ -60,9 +60,35 @@ FaultLook::FaultLook(const QString &program, const QString &reference, const Mom
         // One step more: two changes of sign make none.
         *scene = scene == &m_first ? sceneOf(moment.stage, steps)
                                    : sceneOf(otherStage(), isHit ? steps : steps + 1);
-        if (*scene && isRightIn(**scene, program))
+        if (*scene && !isTold(**scene))
             scene->reset();
     }
+}
+
+bool FaultLook::isTold(Scene &scene) const
+{
+    constexpr double least = 1e-3; // more than the line of centres turns in a very short step
+    constexpr double clear = 0.3;  // of what is wrong
+    if (!isRightIn(scene, m_program))
+        return true;
+    const double off = offOf(scene.whole);
+    if (!m_isHit || m_isQuestion || scene.stage.preset.gravity != Vec2{} || off < least)
+        return false;
+    scene.near = clear * off;
+    return !isRightIn(scene, m_program);
+}
+
+double FaultLook::offOf(const Ends &ends) const
+{
+    double most = 0.0;
+    for (const int circle : m_moment.circles) {
+        const auto i = static_cast<std::size_t>(circle);
+        if (i >= ends.wanted.size() || i >= ends.was.size())
+            continue;
+        const Vec2 off = ends.was[i].velocity - ends.wanted[i].velocity;
+        most = std::max(most, length(off) / (1.0 + length(ends.wanted[i].velocity)));
+    }
+    return most;
 }
 
 bool FaultLook::showsFault()
@@ -117,7 +143,7 @@ std::optional<FaultLook::Scene> FaultLook::sceneOf(const Stage &stage, qint64 st
     const auto isWhole = [&](const std::vector<World> &states) {
         return static_cast<qint64>(states.size()) == steps + 1;
     };
-    Scene scene{.stage = stage, .steps = steps, .slack = slackIn(stage)};
+    Scene scene{.stage = stage, .steps = steps, .slack = slackIn(stage), .near = near};
     if (!isWhole(right) || !isWhole(theirs))
         return scene;
     scene.whole = {right.back().circles, theirs.back().circles};
@@ -150,18 +176,18 @@ bool FaultLook::isRightIn(const Scene &scene, const QString &program) const
     // Who does the same all the way does it from the midst of the way, which is soon seen.
     return (!scene.start
             || isNear(after(program, scene.stage, scene.steps, &*scene.start), scene.late, 2.0,
-                      scene.slack))
-           && isNear(after(program, scene.stage, scene.steps), scene.whole, 1.0, scene.slack);
+                      scene))
+           && isNear(after(program, scene.stage, scene.steps), scene.whole, 1.0, scene);
 }
 
 bool FaultLook::isNear(const std::vector<Circle> &made, const Ends &ends, double tolerance,
-                       double slack) const
+                       const Scene &scene) const
 {
     if (made.empty() || made.size() != ends.wanted.size() || made.size() != ends.was.size())
         return false;
     const auto isLike = [&](const Circle &a, const Circle &b) {
-        return isAlike(a.velocity, b.velocity, tolerance * near)
-               && length(a.position - b.position) < tolerance * slack;
+        return isAlike(a.velocity, b.velocity, tolerance * scene.near)
+               && length(a.position - b.position) < tolerance * scene.slack;
     };
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto &wrong = m_moment.circles;

@@ -44,6 +44,7 @@ private:
             start{};        ///< in the midst of the reference's run, if one may begin there
         Ends late{};        ///< of runs that begin there
         double slack = 0.0; ///< m
+        double near = 0.0;  ///< of velocities, relative
     };
 
     [[nodiscard]] std::optional<Scene> sceneOf(const Stage &stage, qint64 steps) const;
@@ -51,7 +52,11 @@ private:
     [[nodiscard]] Sight sightOf(const QString &program) const;
     [[nodiscard]] bool isRightIn(const Scene &scene, const QString &program) const;
     [[nodiscard]] bool isNear(const std::vector<Circle> &made, const Ends &ends, double tolerance,
-                              double slack) const;
+                              const Scene &scene) const;
+    /// By how much the velocities of the circles that are wrong differ in the end.
+    [[nodiscard]] double offOf(const Ends &ends) const;
+    /// Whether the program itself is told from the reference in \p scene; a little fault by less.
+    [[nodiscard]] bool isTold(Scene &scene) const;
     [[nodiscard]] double slackIn(const Stage &stage) const;
 
     const QString &m_program;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/last_assignment.h"
 
+#include "tasks/judging/hit_at_moment.h"
 #include "tasks/judging/line_guess.h"
 #include "tasks/judging/program_statements.h"
 
@@ -75,6 +76,16 @@ int numberLine(const ProgramLines &program, int assigning, const Moment &moment,
         return Vec2{};
     };
     const auto own = startOf(program.source());
+    const auto right = task.solution.isEmpty() ? std::nullopt : startOf(task.solution);
+    /// Whether \p scene has another value in what is wrong with the own one.
+    const auto isOther = [&](const Preset &scene) {
+        const Vec2 is = valueOf(*own);
+        const Vec2 made = valueOf(scene);
+        const Vec2 asked = right ? valueOf(*right) : made;
+        const bool isNone = asked == is;
+        return (made.x != is.x && (isNone || is.x != asked.x))
+               || (made.y != is.y && (isNone || is.y != asked.y));
+    };
     int found = 0;
     int tried = 0;
     for (const ProgramToken &token : program.tokens()) {
@@ -86,7 +97,7 @@ int numberLine(const ProgramLines &program, int assigning, const Moment &moment,
         changed.replace(token.start, token.end() - token.start,
                         QStringLiteral("(%1 + 0.125)").arg(token.text));
         const auto other = startOf(changed);
-        if (!other || !own || valueOf(*other) == valueOf(*own))
+        if (!other || !own || !isOther(*other))
             continue;
         if (found != 0)
             return 0;
@@ -122,6 +133,14 @@ void markStart(Finding &finding, const Moment &moment, const Task &task,
     }
 }
 
+/// Whether what a hit does to both circles is wrong, or where it puts them.
+bool isOfHit(const Finding &finding, const Moment &moment)
+{
+    return moment.circles.size() == 2
+           && (finding.aspect == Aspect::Response
+               || (finding.aspect == Aspect::Contact && moment.isPosition));
+}
+
 } // namespace
 
 void markLastAssignment(Finding &finding, const Moment &moment, const Task &task,
@@ -140,18 +159,33 @@ void markLastAssignment(Finding &finding, const Moment &moment, const Task &task
     }
     const auto field =
         moment.isPosition ? Assignment::Field::Position : Assignment::Field::Velocity;
-    bool changed = false;
+    const bool isOfBoth = isOfHit(finding, moment);
+    const std::vector<int> wrong =
+        isOfBoth ? HitAtMoment(*submission.script, task.solution, moment).wrongCircles()
+                 : moment.circles;
+    std::vector<Assignment> last; // of each circle, as they come
     for (const Assignment &assignment : probe.trace()) {
-        const bool isIt =
-            assignment.field == field
-            && std::find(moment.circles.begin(), moment.circles.end(), assignment.circle)
-                   != moment.circles.end();
-        if (!isIt || (changed && !assignment.changed))
+        if (assignment.field != field
+            || std::find(wrong.begin(), wrong.end(), assignment.circle) == wrong.end())
             continue;
-        changed = changed || assignment.changed;
-        finding.line = assignment.line;
-        finding.calls = assignment.calls;
+        const auto before = std::find_if(last.begin(), last.end(), [&](const Assignment &one) {
+            return one.circle == assignment.circle;
+        });
+        if (before != last.end() && before->changed && !assignment.changed)
+            continue;
+        if (before != last.end())
+            last.erase(before);
+        last.push_back(assignment);
     }
+    const bool areChanged =
+        std::any_of(last.begin(), last.end(), [](const Assignment &one) { return one.changed; });
+    std::erase_if(last, [&](const Assignment &one) { return areChanged && !one.changed; });
+    if (last.empty())
+        return;
+    // Where a hit makes both wrong, it does so at the first of the two.
+    const Assignment &told = isOfBoth ? last.front() : last.back();
+    finding.line = told.line;
+    finding.calls = told.calls;
 }
 
 int lastAssignmentLine(const Submission &submission, const Stage &scene, qint64 step, int circle)

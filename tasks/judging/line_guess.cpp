@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -64,6 +65,65 @@ int formulaIn(const std::vector<int> &lines, const QStringList &rows, int last)
         }
     }
     return best;
+}
+
+/// The only line of \p lines in which something is multiplied by the number \p times, or divided
+/// by that which is one by it; of two that do the same to one circle and the other the first. 0 if
+/// there is none, or several.
+int factorLine(double times, const std::vector<int> &lines, const ProgramLines &program,
+               const QStringList &rows)
+{
+    constexpr double blur = 0.02;
+    const auto isNear = [](double a, double b) { return std::abs(a - b) < blur * std::abs(b); };
+    if (std::abs(times) < blur || isNear(times, 1.0))
+        return 0;
+    const auto makesIt = [&](std::size_t i) {
+        bool isNumber = false;
+        const double number = program.tokens()[i].text.toDouble(&isNumber);
+        const bool isFactor =
+            program.is(i + 1, "*") || (i > 0 && program.is(i - 1, "*") && !program.is(i + 1, "^"));
+        return isNumber
+               && ((isFactor && isNear(number, times))
+                   || (i > 0 && program.is(i - 1, "/") && isNear(1.0 / number, times)));
+    };
+    int found = 0;
+    for (const int line : lines) {
+        const std::vector<std::size_t> &tokens = program.tokensOf(line);
+        if (worksOut(rows[line - 1]) == 0 || !std::any_of(tokens.begin(), tokens.end(), makesIt))
+            continue;
+        const std::vector<int> twins = program.twinsOf(line);
+        if (found != 0 && std::find(twins.begin(), twins.end(), found) == twins.end())
+            return 0;
+        found = found == 0 ? line : found;
+    }
+    return found;
+}
+
+/// Where the push of a hit is worked out.
+struct PushedLine {
+    std::optional<int> line{}; ///< 0 if that is not known
+    bool isAdded = false;      ///< the line that only applies it adds it
+};
+
+/// \param acting   the line that applies it
+/// \param isAdded  whether what is added there may have been worked out wrong
+PushedLine pushLine(const LastAssignment &assignment, int acting, const std::vector<int> &special,
+                    const ProgramLines &lines, const QStringList &rows, const RanLines &ran,
+                    bool isAdded)
+{
+    const HitAtMoment hit = assignment.hit();
+    const PushOrigin push(lines, ran);
+    const bool isSizeWrong = hit.isSizeWrong();
+    const auto times = hit.timesRight();
+    if (const int factor = times ? factorLine(*times, special, lines, rows) : 0)
+        return {factor};
+    const bool areBothWrong = hit.wrongCircles().size() == 2;
+    if (const int shared = areBothWrong ? push.ofShared(acting, isSizeWrong) : 0)
+        return {shared};
+    if (const auto given = isSizeWrong ? push.ofGiven(acting, assignment.calls) : std::nullopt)
+        return {given};
+    const int added = isSizeWrong && isAdded ? push.ofAdded(acting) : 0;
+    return added > 0 ? PushedLine{added, true} : PushedLine{};
 }
 
 } // namespace
@@ -159,21 +219,18 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
             return value;
         return askedIn(line == 0 ? acting : line, deviation.suspect, asked);
     }
-    if (deviation.aspect == Aspect::Response && assignment.isSizeWrong()) {
-        const PushOrigin push(lines, ran);
-        if (const auto given = push.ofGiven(acting, assignment.calls))
-            return *given;
-        const bool isAdded =
-            deviation.suspect == Suspect::Answer || deviation.topic == Topic::Shares;
-        const int added = isAdded ? push.ofAdded(acting) : 0;
-        if (added > 0 && !isRightForOther(added))
-            return added;
+    const bool isAnswer = deviation.suspect == Suspect::Answer;
+    if (deviation.aspect == Aspect::Response) {
+        const bool isAdded = isAnswer || deviation.topic == Topic::Shares;
+        const PushedLine push = pushLine(assignment, acting, special, lines, rows, ran, isAdded);
+        if (push.line && !(push.isAdded && isRightForOther(*push.line)))
+            return *push.line;
     }
     if (special.empty())
         return acting;
     const bool isSpecial = std::find(special.begin(), special.end(), acting) != special.end();
     // What runs in every step only writes down what was worked out before.
-    if (deviation.suspect == Suspect::Answer && (isSpecial || ran.before.empty()))
+    if (isAnswer && (isSpecial || ran.before.empty()))
         return acting;
     if (deviation.topic == Topic::Restitution)
         special = withRestitution(special, rows, lines);

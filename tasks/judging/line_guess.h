@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/judging/hit_at_moment.h"
 #include "tasks/judging/ran_lines.h"
 
 #include <functional>
@@ -20,8 +21,8 @@ struct LastAssignment {
     /// If it only writes a value down: the line in which that was worked out, 0 if it is not one.
     std::optional<int> origin{};
     std::vector<int> calls{}; ///< the lines that called it, the innermost last
-    /// Of a hit of two: whether the push is wrong in its size alone.
-    std::function<bool()> isSizeWrong{};
+    /// Of a hit of two: what it makes of them.
+    std::function<HitAtMoment()> hit{};
 };
 
 /// Where a teacher would point first, if no change is proven to mend a program: among the lines

@@ -47,6 +47,14 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             if (e != middleOf(others))
                 hits.push_back(range.shoot(circle, Wall::Right, e, 1, false));
         }
+        for (const Wall wall : allWalls) {
+            const bool isOff = std::any_of(hits.begin(), hits.end(), [&](const WallHit &hit) {
+                return hit.circle == circle && hit.wall == wall && hit.turned
+                       && std::abs(hit.back - hit.restitution) > 2.0 * blur;
+            });
+            if (isOff)
+                denser.push_back(range.shootDenser(circle, wall, middleOf(all)));
+        }
         findLost(circle);
         for (const Wall wall : allWalls) {
             const bool isOpen = std::none_of(hits.begin(), hits.end(), [&](const WallHit &hit) {

@@ -5,28 +5,13 @@
 #include <QRegularExpression>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cradle {
 
 namespace {
 
-/// Of what is wrong with a velocity, across the line of centres; where two touch is known to some
-/// degrees.
-constexpr double acrossShare = 0.15;
-
 /// Of what is more than a difference of two: a product, or a quotient.
 constexpr int leastWork = 2;
-
-std::optional<World> endOf(const QString &program, const Moment &moment)
-{
-    Probe probe(&program, moment.stage, true);
-    for (qint64 k = 0; k < moment.step; ++k) {
-        if (!probe.step())
-            return std::nullopt;
-    }
-    return probe.runs() ? std::optional(probe.world()) : std::nullopt;
-}
 
 } // namespace
 
@@ -176,26 +161,49 @@ int PushOrigin::ofAdded(int line) const
     return isWorkedOut || workOf(*push) > workOf(*own) ? lineOf(*push) : 0;
 }
 
+int PushOrigin::ofShared(int line, bool isSizeWrong) const
+{
+    const Taken taken = takenAt(line);
+    const auto own = std::find_if(m_assignments.begin(), m_assignments.end(),
+                                  [&](const ProgramAssignment &each) { return each.line == line; });
+    if (!taken.isAdded || taken.names.size() != 1 || own == m_assignments.end()
+        || workOf(*own) != 1)
+        return 0;
+    const bool isShared =
+        std::any_of(m_assignments.begin(), m_assignments.end(), [&](const auto &other) {
+            return other.line != line && m_ran.now.contains(other.line) && workOf(other) == 1
+                   && takenAt(other.line).isAdded && takenAt(other.line).names == taken.names
+                   && functionAt(m_functions, other.line) == functionAt(m_functions, line);
+        });
+    const ProgramAssignment *push = isShared ? assignmentOf(taken.names.front(), line) : nullptr;
+    if (!push)
+        return 0;
+    // What a function works out of its arguments has its size of it, and its direction of them.
+    const bool isCalled =
+        m_program.is(push->from + 1, "(") && m_program.afterGroup(push->from + 1) == push->to;
+    const QString called = isCalled ? m_program.tokens()[push->from].text : QString();
+    const auto function =
+        std::find_if(m_functions.begin(), m_functions.end(),
+                     [&](const ProgramFunction &each) { return each.name == called; });
+    if (!isSizeWrong || called.isEmpty() || function == m_functions.end())
+        return push->line;
+    int found = 0;
+    for (int at = function->first; at <= function->last; ++at) {
+        const auto &tokens = m_program.tokensOf(at);
+        if (std::none_of(tokens.begin(), tokens.end(),
+                         [&](std::size_t i) { return m_program.is(i, "return"); }))
+            continue;
+        if (found != 0)
+            return push->line;
+        found = at;
+    }
+    return found != 0 ? found : push->line;
+}
+
 bool PushOrigin::isInverse(const ProgramAssignment *each) const
 {
     return each && each->from + 1 < each->to && m_program.is(each->from, "1")
            && m_program.is(each->from + 1, "/");
-}
-
-bool PushOrigin::isSizeWrong(const QString &program, const QString &reference, const Moment &moment)
-{
-    const auto theirs = endOf(program, moment);
-    const auto right = reference.isEmpty() ? std::nullopt : endOf(reference, moment);
-    if (!theirs || !right || right->circles.size() < 2)
-        return false;
-    const Vec2 between = right->circles[1].position - right->circles[0].position;
-    const double away = length(between);
-    return away > 0.0 && std::all_of(moment.circles.begin(), moment.circles.end(), [&](int i) {
-               const auto at = static_cast<std::size_t>(i);
-               const Vec2 off = theirs->circles[at].velocity - right->circles[at].velocity;
-               const double across = (off.x * between.y - off.y * between.x) / away;
-               return std::abs(across) <= acrossShare * length(off);
-           });
 }
 
 } // namespace cradle

@@ -21,11 +21,9 @@ public:
     /// Of a line that adds what was worked out in the same function, or puts a velocity together
     /// of it; 0 if it is none such.
     [[nodiscard]] int ofAdded(int line) const;
-
-    /// Whether at \p moment only the size of the push is wrong, not its direction.
-    /// \param reference  a program that is right there
-    [[nodiscard]] static bool isSizeWrong(const QString &program, const QString &reference,
-                                          const Moment &moment);
+    /// Of a line that only adds one value, which another line takes from the other circle: where
+    /// that is worked out, or what it is worked out by; 0 if it is none such.
+    [[nodiscard]] int ofShared(int line, bool isSizeWrong) const;
 
 private:
     /// What a line adds to a velocity, or puts in its place.

@@ -85,10 +85,16 @@ int unledQuestion(Suspect suspect, const QStringList &rows, const RanLines &ran,
     if (suspect != Suspect::Reach) {
         for (const int line : ran.special())
             found = isOne(line) ? line : found;
-        return found;
+        if (found != 0)
+            return found;
     }
+    // Where nothing is answered, the only question for a distance is the one that said no.
+    static const QRegularExpression equal(QStringLiteral("[^=~<>]==[^=]"));
+    const auto isEquality = [&](int line) {
+        return line >= 1 && line <= rows.size() && rows[line - 1].contains(equal);
+    };
     for (const int line : ran.now) {
-        if (!isOne(line) || !asked.asksReach(line))
+        if (!(isOne(line) || isEquality(line)) || !asked.asksReach(line))
             continue;
         if (found != 0)
             return 0;

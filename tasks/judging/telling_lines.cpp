@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/telling_lines.h"
 
+#include "tasks/judging/lone_lines.h"
 #include "tasks/judging/program_rows.h"
 
 #include <QRegularExpression>
@@ -218,6 +219,7 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
     case Suspect::Kept:
         return keepingLine(rows, ran);
     case Suspect::Omission:
+        return deviation.aspect == Aspect::Walls ? lineOfMissingWall(deviation, program, rows) : 0;
     case Suspect::Answer:
     case Suspect::Question:
     case Suspect::Reach:

@@ -115,6 +115,16 @@ WallHit WallRange::shootAmongAlike(int circle, Wall wall, double e, bool large) 
     return hit;
 }
 
+WallHit WallRange::shootDenser(int circle, Wall wall, double e) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
+    hit.otherRadius = m_ground.walls.radii.low;
+    hit.stage = stageOf(hit, speedOf(circle, 0), 0.29, {});
+    hit.stage.preset.circles[static_cast<std::size_t>(circle)].body.density *= 2.0;
+    watch(hit);
+    return hit;
+}
+
 bool WallRange::passesBeside(const WallHit &corner) const
 {
     const Vec2 n = outwardNormal(corner.wall);

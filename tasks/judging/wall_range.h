@@ -34,6 +34,9 @@ public:
     /// As the first of the two, while all circles are as large, or all as small.
     [[nodiscard]] WallHit shootAmongAlike(int circle, Wall wall, double e, bool large) const;
 
+    /// As the first of the two, of a circle that is twice as dense.
+    [[nodiscard]] WallHit shootDenser(int circle, Wall wall, double e) const;
+
     /// From the middle, for circles that are turned as soon as they are shot from near the wall.
     [[nodiscard]] WallHit comeFromMiddle(int circle, Wall wall, double e) const;
 

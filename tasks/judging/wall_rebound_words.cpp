@@ -120,6 +120,16 @@ private:
                                          const WallHit &hit) const
     {
         const auto back = [](const WallHit &h) { return h.back; };
+        if (const auto [one, two] = ofDensity(odd); one && two)
+            return {
+                WallText::tr("At the %walls the density comes into the speed of %who"),
+                WallText::tr("With ρ = %1 what comes back is %2 times the speed, with ρ = %3 "
+                             "it is %4 times; %5 is right.")
+                        .arg(brief(densityOf(*one)), brief(one->back), brief(densityOf(*two)),
+                             brief(two->back),
+                             brief(rightOf(static_cast<std::size_t>(one - m_own.hits.data())).back))
+                    + QLatin1Char(' ') + lookAtNew(),
+                false, false};
         for (const BackLaw &law : backLaws()) {
             if ((rebounds() || !law.hasE) && follows(odd, back, law.back))
                 return {law.headline, law.why};
@@ -172,6 +182,29 @@ private:
         return {WallText::tr("Hits at the %walls give %who %1 times the speed back")
                     .arg(briefBeside(hit.back, asked)),
                 lookAtNew(), true, false};
+    }
+
+    static double densityOf(const WallHit &hit)
+    {
+        return hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.density;
+    }
+
+    /// One of those hits and one like it, of a denser circle, of whose speed another share comes
+    /// back; null if there is none.
+    [[nodiscard]] std::pair<const WallHit *, const WallHit *>
+    ofDensity(const std::vector<std::size_t> &odd) const
+    {
+        for (const std::size_t i : odd) {
+            const WallHit &hit = m_own.hits[i];
+            for (const WallHit &other : m_own.denser) {
+                if (other.circle == hit.circle && other.wall == hit.wall && other.turned
+                    && hit.turned && other.restitution == hit.restitution
+                    && other.radius == hit.radius && !isNear(other.back, hit.back)
+                    && length(other.came - hit.came) < 1e-6 * length(hit.came))
+                    return {&hit, &other};
+            }
+        }
+        return {};
     }
 
     static QString lookAtNew()

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/lone_lines.h"
+
+#include "tasks/judging/program_rows.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace cradle {
+
+namespace {
+
+/// The functions, by name, in which walls are asked for, or others are called in which they are.
+QStringList askingForWalls(const ProgramLines &program, const QStringList &rows)
+{
+    QStringList names;
+    for (const ProgramFunction &function : functionsOf(program)) {
+        if (function.name.isEmpty() || function.name.startsWith(QLatin1String("on_")))
+            continue;
+        const QRegularExpression called(
+            QStringLiteral("\\b(%1)\\s*\\(")
+                .arg(names.isEmpty() ? QStringLiteral("[^\\w\\W]") : names.join(QLatin1Char('|'))));
+        for (int line = function.first; line <= function.last; ++line) {
+            if (!names.contains(function.name)
+                && (asksForWall(rows[line - 1]) || rows[line - 1].contains(called)))
+                names.append(function.name);
+        }
+    }
+    return names;
+}
+
+/// The last line that gives a circle to what asks for walls, where each that does names another
+/// than that one, from 0; 0 if one names none, or that one.
+int lineForOthers(int circle, const ProgramLines &program, const QStringList &rows)
+{
+    const QStringList names = askingForWalls(program, rows);
+    if (names.isEmpty())
+        return 0;
+    const QRegularExpression call(
+        QStringLiteral("\\b(%1)\\s*\\((.*)").arg(names.join(QLatin1Char('|'))));
+    static const QRegularExpression named(QStringLiteral("\\bcircle(\\d+)\\b"));
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    int found = 0;
+    for (int line = 1; line <= program.count(); ++line) {
+        const ProgramFunction *function = functionAt(functions, line);
+        const QString given = call.match(rows[line - 1]).captured(2);
+        if (!function || function->name != QLatin1String("on_update") || given.isEmpty())
+            continue;
+        auto each = named.globalMatch(given);
+        if (!each.hasNext())
+            return 0;
+        while (each.hasNext()) {
+            if (each.next().captured(1).toInt() == circle + 1)
+                return 0;
+        }
+        found = line;
+    }
+    return found;
+}
+
+} // namespace
+
+int equalityLine(const ProgramLines &program, const QStringList &rows)
+{
+    static const QRegularExpression equal(QStringLiteral("[^=~<>]==[^=]"));
+    static const QRegularExpression length(QStringLiteral("\\bradius\\b|\\bsquare\\b"));
+    const std::set<int> dead = deadLines(program);
+    int found = 0;
+    for (int line = 1; line <= program.count(); ++line) {
+        const QString &row = rows[line - 1];
+        if (!row.contains(equal) || !row.contains(length) || dead.contains(line))
+            continue;
+        if (found != 0)
+            return 0;
+        found = line;
+    }
+    return found;
+}
+
+int lineOfMissingWall(const LawDeviation &deviation, const ProgramLines &program,
+                      const QStringList &rows)
+{
+    if (const int line = equalityLine(program, rows))
+        return line;
+    return deviation.moment.circles.size() == 1
+               ? lineForOthers(deviation.moment.circles.front(), program, rows)
+               : 0;
+}
+
+} // namespace cradle
