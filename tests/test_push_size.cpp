@@ -19,6 +19,7 @@ private slots:
     void stepThatItDependsOnIsTold();
     void whatItDependsOnIsTold_data();
     void whatItDependsOnIsTold();
+    void otherLineIsNoDepth();
     void factorOfTheRadiusIsTold();
     void partsOfOneCircleAreTold_data();
     void partsOfOneCircleAreTold();
@@ -135,6 +136,17 @@ void TestPushSize::stepThatItDependsOnIsTold()
     // What is right in very short steps is no other law of theirs.
     const auto all = responseDeviations(own.pair(), bench.right.pair(), bench.ground);
     QVERIFY(all.empty() || LawBench::headlines(all) == QStringList(headline));
+}
+
+/// Of a normal whose y is not divided by its length: another line, which hangs on the place, too.
+void TestPushSize::otherLineIsNoDepth()
+{
+    const QStringList said = LawBench::headlines(found(
+        text("L42T12"), text("local m = vec(n.x, q.position.y - p.position.y) "
+                             "local u = p.velocity:dot(m) - q.velocity:dot(m) "
+                             "p.velocity = p.velocity - u * m q.velocity = q.velocity + u * m")));
+    QVERIFY2(said.size() == 1 && said[0].startsWith(text("The push is not along the line")),
+             qPrintable(said.join(u'|')));
 }
 
 void TestPushSize::factorOfTheRadiusIsTold()

@@ -165,13 +165,18 @@ std::optional<LawDeviation> steppedDeviation(const MeasuredPair &own, const Meas
     };
     if (!isInTime(own) || !isInTime(right) || !isSteady(right, 1) || !isSteady(right, 2))
         return std::nullopt;
-    if (!isSteady(own, 1))
-        return depthDeviation(own, right, isElseRight);
-    // What points elsewhere goes by places, which another timestep changes, too.
+    // What points elsewhere goes by places, which another step changes, too, and who is answered in
+    // one of them alone is told as that.
     const bool isAlong = std::all_of(own.inSteps.begin(), own.inSteps.end(),
                                      [](const PairHit &hit) { return hit.isAlongCentres(); });
-    return isAlong && !isSteady(own, 2) ? std::optional(timestepDeviation(own, right))
-                                        : std::nullopt;
+    const auto isAnswered = [](const PairHit &hit) {
+        return std::pair(hit.push1() != Vec2{}, hit.push2() != Vec2{});
+    };
+    if (!isAlong || isAnswered(own.inSteps[0]) != isAnswered(own.inSteps[1]))
+        return std::nullopt;
+    if (!isSteady(own, 1))
+        return depthDeviation(own, right, isElseRight);
+    return isSteady(own, 2) ? std::nullopt : std::optional(timestepDeviation(own, right));
 }
 
 } // namespace cradle
