@@ -23,7 +23,7 @@ private slots:
     void slowOnesMayBeAtRest();
     void twoThingsAreNone();
     void roundingIsNoSide();
-    void oneAloneIsNoRule();
+    void fewAloneAreNoRule();
     void whoseAnswerCounts();
 };
 
@@ -245,12 +245,12 @@ void TestMeetingDivision::roundingIsNoSide()
              QStringLiteral("those where circle 2 is to the right of circle 1, no others"));
 }
 
-void TestMeetingDivision::oneAloneIsNoRule()
+void TestMeetingDivision::fewAloneAreNoRule()
 {
     std::vector<PairHit> hits = manyMeetings();
     const auto isRight = [](const PairHit &hit) { return lineOf(hit).x > 0.0; };
     const auto middle = std::partition(hits.begin(), hits.end(), isRight);
-    for (const auto &[more, isRule] : {std::pair(1, false), std::pair(2, true)}) {
+    for (const auto &[more, isRule] : {std::pair(2, false), std::pair(3, true)}) {
         std::vector<PairHit> few(middle - more, hits.end());
         QCOMPARE(divisionBy(few, isRight).has_value(), isRule);
         few.assign(hits.begin(), middle + more);

@@ -8,7 +8,7 @@
 #include "tasks/judging/response_reading.h"
 
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace cradle {
 
@@ -30,16 +30,42 @@ std::ptrdiff_t rightOf(const std::vector<JudgedMeeting> &hits)
 
 bool HitKinds::areOfSide() const
 {
-    const auto division = divisionBy(kinds());
+    const auto division = divisionOf(kinds());
     return division && division->kind == MeetingDivision::Kind::Side;
 }
 
+/// By how much two answers to \p hit differ, of how fast they came.
+static double differenceOf(const PairHit &hit, const PairVelocities &a, const PairVelocities &b)
+{
+    return std::max({std::abs(a.along1 - b.along1), std::abs(a.across1 - b.across1),
+                     std::abs(a.along2 - b.along2), std::abs(a.across2 - b.across2)})
+           / std::abs(hit.meeting.closing());
+}
+
+static constexpr double answerBlur = 3e-3; // the line of centres turns a little in a step
+
 bool isSameAnswerTo(const PairHit &hit, const PairVelocities &a, const PairVelocities &b)
 {
-    constexpr double blur = 3e-3; // the line of centres turns a little in a step
-    const double slack = blur * std::abs(hit.meeting.closing());
-    return std::abs(a.along1 - b.along1) < slack && std::abs(a.across1 - b.across1) < slack
-           && std::abs(a.along2 - b.along2) < slack && std::abs(a.across2 - b.across2) < slack;
+    return differenceOf(hit, a, b) < answerBlur;
+}
+
+/// What divides \p hits; nothing where those that count as wrong go over into those that count as
+/// right: how exact we are then divides them.
+std::optional<MeetingDivision> HitKinds::divisionOf(const Kinds &hits) const
+{
+    double right = 0.0;
+    double wrong = std::numeric_limits<double>::infinity();
+    for (const JudgedMeeting &one : hits) {
+        const PairHit &hit = *one.hit;
+        const double off =
+            differenceOf(hit, hit.leftParts(), rightFor(hit.cameParts(), goodOf(hit)));
+        if (one.isRight)
+            right = std::max(right, off);
+        else
+            wrong = std::min(wrong, off);
+    }
+    const bool isGradual = right > 0.5 * answerBlur && wrong < 2.0 * answerBlur;
+    return isGradual ? std::nullopt : divisionBy(hits);
 }
 
 /// The hits of all kinds that can be judged.

@@ -29,6 +29,7 @@ private:
     [[nodiscard]] Kinds kinds() const;
     [[nodiscard]] const PairHit &goodOf(const PairHit &hit) const;
     [[nodiscard]] bool areEqualsRight() const;
+    [[nodiscard]] std::optional<MeetingDivision> divisionOf(const Kinds &hits) const;
 
     [[nodiscard]] std::vector<EqualHit> besideRight(const Kinds &hits) const;
     [[nodiscard]] bool isLawOf(const Kinds &hits) const;

@@ -13,6 +13,12 @@ namespace cradle {
 
 namespace {
 
+/// Whether it says that one circle leaves as it should, and the other does not.
+bool isAboutOneCircle(const LawDeviation &found)
+{
+    return found.suspect == Suspect::Answer && found.moment.circles.size() == 1;
+}
+
 bool areRightOfEquals(const std::vector<JudgedMeeting> &hits)
 {
     return std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
@@ -100,24 +106,31 @@ void HitKinds::judge()
             return areAlike(one.hit->meeting) == isOfMasses;
         });
     const auto right = rightOf(hits);
-    if (right == std::ssize(hits))
+    if (right == std::ssize(hits)) {
+        if (isOfMasses && right > 0 && !found.front().isOfSome && isAboutOneCircle(found.front()))
+            limit(hits);
         return;
+    }
     if (!found.empty())
         limitToE(isOfMasses);
     if (!found.empty() && right == 0)
         judgeAllWrong(hits);
     const bool isLaw = !found.empty() && isLawOf(hits);
-    if (!found.empty() && (right == 0 || areMasses(hits) || (isLaw && isOfMasses)))
+    const auto division = isLaw ? std::nullopt : divisionOf(all);
+    // Where no hit of equal circles comes out right, others may still show which do.
+    const bool isOfAll = right == 0 && (isOfMasses || !division);
+    if (!found.empty() && (isOfAll || areMasses(hits) || (isLaw && isOfMasses)))
         return;
     const auto isOne = [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); };
+    // Of a few that come out wrong it may be one circle by chance.
+    const bool isOfFew = 2 * right > std::ssize(hits);
     if (isOfMasses && areRightOfEquals(all)
-        && (std::all_of(all.begin(), all.end(), isOne) || areShares(hits)
+        && ((!isOfFew && std::all_of(all.begin(), all.end(), isOne)) || areShares(hits)
             || areOtherMasses(hits))) {
         found.resize(1);
         found.front().message += countOf(hits, std::nullopt);
         return;
     }
-    const auto division = isLaw ? std::nullopt : divisionBy(all);
     if (!found.empty() && !division && !isOfMasses) {
         if (!isLaw && !found.front().isOfSome)
             limit(hits);
@@ -172,10 +185,9 @@ void HitKinds::judgeAllWrong(const Kinds &hits)
     const LawDeviation &found = m_said.deviations.front();
     if (found.isOfSome)
         return;
-    const bool isOfOne = found.suspect == Suspect::Answer && found.moment.circles.size() == 1;
-    if (isOfOne && !std::all_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
-            return isOfOneCircle(*one.hit);
-        }))
+    if (isAboutOneCircle(found)
+        && !std::all_of(hits.begin(), hits.end(),
+                        [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); }))
         limit(hits);
     else if (MassExponents(m_own.pair()).radius && !areMasses(hits))
         (void)areOtherMasses(hits);

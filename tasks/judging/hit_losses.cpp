@@ -121,7 +121,7 @@ void HitKinds::judgeRestitution()
     if (right == 0)
         return limitRestitution(all);
     std::erase_if(found, isOfRestitution);
-    found.push_back(kindsDeviation(all, divisionBy(all)));
+    found.push_back(kindsDeviation(all, divisionOf(all)));
 }
 
 /// Says of what was found with the greatest e that it is so with that, where hits of the same kind

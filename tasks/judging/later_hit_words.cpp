@@ -61,8 +61,10 @@ std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const Measur
     const double first = one.rebound();
     const double second = two.rebound();
     // Who answers far from the other may have met a wall in between.
-    if (one.isInTime() && two.isInTime() && off(n1, one) < 0.1 && off(n2, two) < 0.1
-        && std::abs(first - e) < 0.01 && std::abs(second - e) > 0.03)
+    if (!one.isInTime() || !two.isInTime() || off(n1, one) >= 0.1 || off(n2, two) >= 0.1
+        || std::abs(first - e) >= 0.01 || std::abs(second - e) <= 0.03)
+        return std::nullopt;
+    if (own.later->isOfHistory())
         return responseDeviation(
             ResponseText::tr("A later hit is answered with another e"),
             ResponseText::tr("With e = %1 two circles parted with %2 times the speed that they "
@@ -70,7 +72,19 @@ std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const Measur
                              "times. Look at what your program keeps from one hit to the next.")
                 .arg(brief(e), brief(first), brief(second)),
             two, Suspect::Kept);
-    return std::nullopt;
+    // As the first of a run it comes out so, too.
+    const PairHit &hit = own.later->anew;
+    if (!hit.isMet())
+        return std::nullopt;
+    LawDeviation said = responseDeviation(
+        ResponseText::tr("Some hits of the two circles come out wrong"),
+        ResponseText::tr("With e = %1 and a timestep of %2 s the circles parted with %3 times the "
+                         "speed along the push that they met with; %4 is right.")
+            .arg(brief(e), briefTimestep(hit.stage.preset.timestep), brief(hit.rebound()),
+                 brief(e)),
+        hit, Suspect::Formula);
+    said.isConditional = true;
+    return said;
 }
 
 LawDeviation lateRestitution(const MeasuredPair &own)

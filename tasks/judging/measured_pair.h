@@ -103,7 +103,10 @@ struct PairHit {
 struct LaterHit {
     PairHit first{};
     PairHit second{};
+    PairHit anew{}; ///< the second as the first of a run
 
+    /// Whether the second comes out otherwise than anew, so that what was before it counts.
+    [[nodiscard]] bool isOfHistory() const;
     /// Whether the first was answered with another e, and the second with that of the scene.
     [[nodiscard]] bool isFirstOdd() const;
 };

@@ -51,6 +51,11 @@ double PairHit::rebound() const
     return dot(left2 - left1, n) / dot(came1 - came2, n);
 }
 
+bool LaterHit::isOfHistory() const
+{
+    return anew.isMet() && std::abs(second.rebound() - anew.rebound()) > 0.03;
+}
+
 bool LaterHit::isFirstOdd() const
 {
     const double e = first.meeting.restitution;

@@ -102,7 +102,7 @@ private:
     /// \param tooNear  so near the centres come only if nothing is answered in time, m
     void comeBack(MeasuredPair &pair, double place, double tooNear) const;
     /// What becomes of \p circles, who come nearer, in a run that begins there.
-    [[nodiscard]] PairHit anew(const std::vector<Circle> &circles) const;
+    [[nodiscard]] PairHit anew(const std::vector<Circle> &circles, double restitution) const;
     [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);

@@ -48,17 +48,18 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
         const bool nears = dot(d, before[0].velocity - before[1].velocity) > 0.0;
         if (pair.ownContacts == 1 && !is && nears && length(d) < tooNear && !pair.ranThrough) {
             pair.ranThrough = true;
-            pair.ranThroughAnew = anew(apart);
+            pair.ranThroughAnew = anew(apart, preset.restitution);
         }
         if (nears && length(d) > before[0].radius + before[1].radius)
             apart = before;
     }
 }
 
-PairHit PairRange::anew(const std::vector<Circle> &circles) const
+PairHit PairRange::anew(const std::vector<Circle> &circles, double restitution) const
 {
     PairHit hit{.slowness = slowness(m_h)};
     hit.stage = {m_ground.stage(), true};
+    hit.stage.preset.restitution = restitution;
     for (std::size_t i = 0; i < 2; ++i)
         hit.stage.preset.circles[i].body = circles[i];
     const Vec2 d = circles[1].position - circles[0].position;
@@ -67,6 +68,7 @@ PairHit PairRange::anew(const std::vector<Circle> &circles) const
                    .radius2 = circles[1].radius,
                    .density1 = circles[0].density,
                    .density2 = circles[1].density,
+                   .restitution = restitution,
                    .middle = 0.5 * (circles[0].position + circles[1].position)};
     hit.came1 = circles[0].velocity;
     hit.came2 = circles[1].velocity;
@@ -140,7 +142,7 @@ std::optional<LaterHit> PairRange::later(double radius, double density, double e
         note(hit, before, probe, k);
         const bool is = hit.answered && length(hit.push1()) > 0.1 && length(hit.push2()) > 0.1;
         if (is && !was && first)
-            return LaterHit{*first, hit};
+            return LaterHit{*first, hit, anew(before, e)};
         if (is && !first)
             first = hit;
         was = is;

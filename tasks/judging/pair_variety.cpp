@@ -2,31 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/pair_range.h"
 
+#include "model/world/random.h"
+
 #include <algorithm>
 
 namespace cradle {
 
 namespace {
 
-/// The \p k-th of numbers that fill the range from 0 to 1 evenly, for each \p quantity others.
-double spread(int k, int quantity)
-{
-    constexpr double primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41};
-    const double all = (k + 1) * std::sqrt(primes[quantity]);
-    return all - std::floor(all);
-}
-
 /// Of so many digits that a reader can reckon with it.
-double between(double low, double high, double share)
+double between(double low, double high, Random &random)
 {
-    return std::round(100.0 * (low + share * (high - low))) / 100.0;
+    return std::round(100.0 * random.between(low, high)) / 100.0;
 }
 
 /// Who comes how: each alone, one after the other, and both at once, also equally fast.
-PairVelocities comingOf(int k, const Ground::Pair &asked)
+PairVelocities comingOf(int k, const Ground::Pair &asked, Random &random)
 {
-    const double closing = between(0.6, 1.6, spread(k, 0));
-    const double other = between(0.2, 0.8, spread(k, 1));
+    const double closing = between(0.6, 1.6, random);
+    const double other = between(0.2, 0.8, random);
     PairVelocities v{.along1 = closing};
     if (asked.bothMove) {
         switch (k % 6) {
@@ -43,26 +37,25 @@ PairVelocities comingOf(int k, const Ground::Pair &asked)
         case 4:
             v = {.along1 = -other, .along2 = -other - closing};
             break;
-        default:
-            v = {.along1 = other * closing, .along2 = -(1.0 - other) * closing};
+        default: // clearly one faster than the other
+            const double share = other < 0.5 ? other - 0.1 : other + 0.1;
+            v = {.along1 = share * closing, .along2 = -(1.0 - share) * closing};
         }
     }
     // So oblique that they move to one side while the other is on another.
     const double slide =
-        asked.oblique ? closing * between(0.25, 0.45, spread(k, 3)) * (k % 4 < 2 ? 1.0 : -1.0)
-                      : 0.0;
+        asked.oblique ? closing * between(0.25, 0.45, random) * (k % 4 < 2 ? 1.0 : -1.0) : 0.0;
     if (v.along1 == 0.0 || v.along2 == 0.0) {
         (v.along1 == 0.0 ? v.across2 : v.across1) = slide; // who rests does
         return v;
     }
-    const double common = between(-0.9, 0.9, spread(k, 2));
+    const double common = between(-0.9, 0.9, random);
     v.across1 = common + 0.5 * slide;
     v.across2 = common - 0.5 * slide;
     return v;
 }
 
-/// All ways of coming are among the fast ones, and among those with another e; so are all sides,
-/// which come round again after 12.
+/// All ways of coming are among the fast ones, and among those with another e.
 constexpr bool isFast(int k)
 {
     return (k / 6 + k) % 2 == 1;
@@ -73,27 +66,36 @@ constexpr bool isLossy(int k)
     return k / 6 % 3 == 2;
 }
 
+/// What a number is tells nothing of any other, so what divides the hits is no chance; and from
+/// this seed on all that MeetingDivision knows divides them in ways of its own.
+constexpr int firstSeed = 1836;
+
 /// The \p k-th of many kinds.
 /// \param isSame  the circles are equal
 Meeting variedMeeting(int k, const Ground::Pair &asked, bool isSame)
 {
-    const auto pairOf = [](const Ground::Range &range, int n, int quantity, bool isEqual) {
-        const double one = between(range.low, range.high, spread(n, quantity));
-        const double two = between(range.low, range.high, spread(n, quantity + 1));
+    Random random(firstSeed + k);
+    const auto pairOf = [&](const Ground::Range &range, bool isEqual) {
+        const double one = between(range.low, range.high, random);
+        const double two = between(range.low, range.high, random);
         return range.isVaried() && !isEqual ? std::pair(one, two) : std::pair(one, one);
     };
     Meeting m;
-    // Hardly to one side differs hardly from the other; some are exactly level, or upright.
-    const double off = std::round(10.0 + (k % 3 == 0 ? 70.0 : 12.0) * spread(k, 4));
-    m.degrees = 90.0 * std::floor(4.0 * spread(k, 11))
-                + (k % 9 == 4   ? 0.0
-                   : k % 3 == 1 ? 90.0 - off
+    m.velocities = comingOf(k, asked, random);
+    // Hardly to one side differs hardly from the other; some are exactly level, or upright. Who
+    // comes in one way does so flat, steep and otherwise.
+    const int slope = (k / 6 + k) % 3;
+    const double off = std::round(10.0 + (slope == 0 ? 70.0 : 12.0) * random.uniform());
+    m.degrees = 90.0 * static_cast<double>(random.below(4))
+                + (k % 7 == 3   ? 0.0
+                   : slope == 1 ? 90.0 - off
                                 : off);
-    std::tie(m.radius1, m.radius2) = pairOf(asked.radii, k, 5, isSame);
-    std::tie(m.density1, m.density2) = pairOf(asked.densities, k, 7, isSame || k % 7 < 2);
-    m.velocities = comingOf(k, asked);
+    // Of unequal ones some have the same radius, others the same density.
+    std::tie(m.radius1, m.radius2) = pairOf(asked.radii, isSame || k % 7 == 2);
+    std::tie(m.density1, m.density2) = pairOf(asked.densities, isSame || k % 7 < 2);
     const double far = 2.4 * asked.room;
-    m.middle = {between(-far, far, spread(k, 9)), between(-far, far, spread(k, 10))};
+    m.middle = {between(-far, far, random), 0.0};
+    m.middle.y = between(-far, far, random);
     return m;
 }
 

@@ -42,7 +42,7 @@ public:
             }
         }
         if (m_equal.isRight && m_own.later && m_right.later && m_own.later->isFirstOdd()
-            && isAnyFirstOdd()) {
+            && m_own.later->isOfHistory() && isAnyFirstOdd()) {
             take(lateRestitution(m_own));
         } else if (!isWhole(m_own.rebounds, m_right.rebounds)) {
             for (LawDeviation &deviation : rebound.deviations)
