@@ -129,6 +129,17 @@ void TestToldWalls::shareOfAWallIsTold()
     QCOMPARE(n.size(), std::size_t{4});
     QVERIFY(n[0] != n[2]);
     QVERIFY(isNear(n[1], 0.3 + 0.5 * n[0]) && isNear(n[3], 0.3 + 0.5 * n[2]));
+    // What hangs on the speed is not told of e.
+    for (const char *back :
+         {"math.max(0, 1 - 0.5 / c.velocity:length())", "c.velocity:length() ^ (restitution - 1)",
+          "restitution * c.velocity:length()"}) {
+        n = numbersIn(
+            body(back, "Hits at the walls give both circles another share of the speed than e"),
+            "With e = # a hit with # m/s into the wall gives # times the speed back, one with # "
+            "m/s # times");
+        QCOMPARE(n.size(), std::size_t{5});
+        QVERIFY(n[1] != n[3] && std::abs(n[2] - n[4]) > 0.1);
+    }
     QVERIFY(!body("0.9 * restitution",
                   "Hits at the walls give both circles 0.9 e of the speed back, not e")
                  .isEmpty());

@@ -3403,6 +3403,10 @@ Until this is right, no more can be said of walls and hits.</source>
         <translation>التصادمات عند %walls تعطي %who سرعة من عندها</translation>
     </message>
     <message>
+        <source>With e = %1 a hit with %2 m/s into the wall gives %3 times the speed back, one with %4 m/s %5 times: the share should be the same for every speed.</source>
+        <translation>مع ⁦e = %1⁩ يعيد اصطدام بسرعة ⁦%2 m/s⁩ نحو الجدار السرعة مضروبةً في ⁨%3⁩، وآخر بسرعة ⁦%4 m/s⁩ مضروبةً في ⁨%5⁩: يجب أن تكون النسبة نفسها لكل سرعة.</translation>
+    </message>
+    <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
         <translation>مع ⁦e = %1⁩ تعود السرعة مضروبةً في ⁨%2⁩، ومع ⁦e = %3⁩ مضروبةً في ⁨%4⁩.</translation>
     </message>

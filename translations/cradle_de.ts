@@ -3379,6 +3379,10 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
         <translation>Stöße an %walls geben für %who ein eigenes Tempo vor</translation>
     </message>
     <message>
+        <source>With e = %1 a hit with %2 m/s into the wall gives %3 times the speed back, one with %4 m/s %5 times: the share should be the same for every speed.</source>
+        <translation>Mit e = %1 gibt ein Stoß mit %2 m/s in die Wand das %3-Fache des Tempos zurück, einer mit %4 m/s das %5-Fache: Der Anteil soll für jedes Tempo derselbe sein.</translation>
+    </message>
+    <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
         <translation>Mit e = %1 ist es das %2-Fache des Tempos, mit e = %3 das %4-Fache.</translation>
     </message>

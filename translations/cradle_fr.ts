@@ -3379,6 +3379,10 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
         <translation>Les chocs contre %walls imposent une vitesse fixe, pour %who</translation>
     </message>
     <message>
+        <source>With e = %1 a hit with %2 m/s into the wall gives %3 times the speed back, one with %4 m/s %5 times: the share should be the same for every speed.</source>
+        <translation>Avec e = %1, un choc à %2 m/s vers le mur rend %3 fois la vitesse, un autre à %4 m/s, %5 fois&#xa0;: cette part doit être la même pour toute vitesse.</translation>
+    </message>
+    <message>
         <source>With e = %1 it is %2 times the speed, with e = %3 %4 times.</source>
         <translation>Avec e = %1, c&apos;est %2 fois la vitesse, avec e = %3, %4 fois.</translation>
     </message>

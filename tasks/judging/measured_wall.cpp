@@ -52,8 +52,11 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
                 return hit.circle == circle && hit.wall == wall && hit.turned
                        && std::abs(hit.back - hit.restitution) > 2.0 * blur;
             });
-            if (isOff)
-                denser.push_back(range.shootDenser(circle, wall, middleOf(all)));
+            if (!isOff)
+                continue;
+            denser.push_back(range.shootDenser(circle, wall, middleOf(all)));
+            if (!others.empty())
+                slower.push_back(range.shootSlower(circle, wall, middleOf(others)));
         }
         findLost(circle);
         for (const Wall wall : allWalls) {

@@ -125,6 +125,15 @@ WallHit WallRange::shootDenser(int circle, Wall wall, double e) const
     return hit;
 }
 
+WallHit WallRange::shootSlower(int circle, Wall wall, double e) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
+    hit.otherRadius = m_ground.walls.radii.low;
+    hit.stage = stageOf(hit, speedOf(circle, 1), 0.29, {});
+    watch(hit);
+    return hit;
+}
+
 bool WallRange::passesBeside(const WallHit &corner) const
 {
     const Vec2 n = outwardNormal(corner.wall);

@@ -120,7 +120,7 @@ private:
                                          const WallHit &hit) const
     {
         const auto back = [](const WallHit &h) { return h.back; };
-        if (const auto [one, two] = ofDensity(odd); one && two)
+        if (const auto [one, two] = unlike(odd, m_own.denser, true); one && two)
             return {
                 WallText::tr("At the %walls the density comes into the speed of %who"),
                 WallText::tr("With ρ = %1 what comes back is %2 times the speed, with ρ = %3 "
@@ -157,6 +157,16 @@ private:
                                  "afterwards: work the new velocity out from the old one.")
                         .arg(brief(*speed)),
                     true, false};
+        // What is so of one speed is no law of e.
+        if (const auto [one, two] = unlike(odd, m_own.slower, false); rebounds() && one && two)
+            return {WallText::tr("Hits at the %walls give %who another share of the speed than e"),
+                    WallText::tr("With e = %1 a hit with %2 m/s into the wall gives %3 times the "
+                                 "speed back, one with %4 m/s %5 times: the share should be the "
+                                 "same for every speed.")
+                            .arg(brief(one->restitution), speedInto(*one), brief(one->back),
+                                 speedInto(*two), brief(two->back))
+                        + QLatin1Char(' ') + lookAtNew(),
+                    false, false};
         // A share that is seen with one e alone is no law.
         if (const WallHit *other = rebounds() ? otherShare(odd, hit) : nullptr)
             return {WallText::tr("Hits at the %walls give %who another share of the speed than e"),
@@ -189,22 +199,30 @@ private:
         return hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.density;
     }
 
-    /// One of those hits and one like it, of a denser circle, of whose speed another share comes
-    /// back; null if there is none.
+    /// One of those hits and one like it among \p others, as fast or not, of whose speed another
+    /// share comes back; null if there is none.
     [[nodiscard]] std::pair<const WallHit *, const WallHit *>
-    ofDensity(const std::vector<std::size_t> &odd) const
+    unlike(const std::vector<std::size_t> &odd, const std::vector<WallHit> &others,
+           bool isAsFast) const
     {
         for (const std::size_t i : odd) {
             const WallHit &hit = m_own.hits[i];
-            for (const WallHit &other : m_own.denser) {
-                if (other.circle == hit.circle && other.wall == hit.wall && other.turned
+            for (const WallHit &other : others) {
+                const bool isLike =
+                    other.circle == hit.circle && other.wall == hit.wall && other.turned
                     && hit.turned && other.restitution == hit.restitution
-                    && other.radius == hit.radius && !isNear(other.back, hit.back)
-                    && length(other.came - hit.came) < 1e-6 * length(hit.came))
+                    && other.radius == hit.radius
+                    && (length(other.came - hit.came) < 1e-6 * length(hit.came)) == isAsFast;
+                if (isLike && !isNear(other.back, hit.back))
                     return {&hit, &other};
             }
         }
         return {};
+    }
+
+    static QString speedInto(const WallHit &hit)
+    {
+        return brief(dot(hit.came, outwardNormal(hit.wall)));
     }
 
     static QString lookAtNew()
@@ -215,13 +233,10 @@ private:
     /// Where the least and the most of the speed came back.
     static QString extremes(const WallHit &least, const WallHit &most)
     {
-        const auto speed = [](const WallHit &hit) {
-            return brief(dot(hit.came, outwardNormal(hit.wall)));
-        };
         return WallText::tr("The least came at the %1 with %2 m/s into it, the most at the %3 with "
                             "%4 m/s.")
-            .arg(motion::wallName(least.wall), speed(least), motion::wallName(most.wall),
-                 speed(most));
+            .arg(motion::wallName(least.wall), speedInto(least), motion::wallName(most.wall),
+                 speedInto(most));
     }
 
     /// Whether all of them leave with the part along the normal that the other circle has, or with
