@@ -146,6 +146,17 @@ void TestHitKinds::headlineTellsForHowMany_data()
         "p.velocity = p.velocity + (m2 * w / m1 - u) * n "
         "q.velocity = q.velocity + (m1 * u / m2 - w) * n",
         "The momenta along the line of centres change hands");
+    row("e for the lighter one alone", "L42T16",
+        "m1, m2 = p.density * p.radius ^ 3, q.density * q.radius ^ 3 "
+        "local a, b = restitution, restitution if m1 > m2 then a = 1 else b = 1 end "
+        "local u = closing / (m1 + m2) "
+        "p.velocity = p.velocity - (1 + a) * m2 * u * n "
+        "q.velocity = q.velocity + (1 + b) * m1 * u * n",
+        "Along the normal only circle 1 feels e (equal circles)");
+    row("the upper one alone", "L42T12",
+        "if p.position.y > q.position.y then p.velocity = p.velocity - closing * n "
+        "else q.velocity = q.velocity + closing * n end",
+        "A hit leaves circle 1 as it was (in some hits)");
     row("e in the momenta that change hands", "L42T16",
         "m1, m2 = p.density * p.radius ^ 3, q.density * q.radius ^ 3 "
         "local u, w = p.velocity:dot(n), q.velocity:dot(n) "

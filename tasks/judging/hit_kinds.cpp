@@ -120,10 +120,18 @@ bool HitKinds::isLawOf(const Kinds &hits) const
     const auto uneven = unevenLaw(m_own.pair(), m_right.pair());
     if (uneven && said.startsWith(uneven->headline))
         return follows(*uneven, all);
-    const auto laws = knownResponses();
-    return std::any_of(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
-        return said.startsWith(law.headline) && follows(law, all);
+    const auto law = saidLaw();
+    return law && follows(*law, all);
+}
+
+/// The known answer that was found of equal circles, if it is one.
+std::optional<ResponseLaw> HitKinds::saidLaw() const
+{
+    const std::vector<ResponseLaw> laws = knownResponses();
+    const auto at = std::find_if(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
+        return m_said.deviations.front().message.startsWith(law.headline);
     });
+    return at == laws.end() ? std::nullopt : std::optional(*at);
 }
 
 /// Whether what was found is that masses grow with some powers, and all of \p hits are so.

@@ -32,6 +32,7 @@ private:
     [[nodiscard]] std::optional<MeetingDivision> divisionOf(const Kinds &hits) const;
 
     [[nodiscard]] std::vector<EqualHit> besideRight(const Kinds &hits) const;
+    [[nodiscard]] std::optional<ResponseLaw> saidLaw() const;
     [[nodiscard]] bool isLawOf(const Kinds &hits) const;
     [[nodiscard]] bool areMasses(const Kinds &hits) const;
     [[nodiscard]] bool areShares(const Kinds &hits) const;

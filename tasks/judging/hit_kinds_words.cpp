@@ -185,9 +185,12 @@ void HitKinds::judgeAllWrong(const Kinds &hits)
     const LawDeviation &found = m_said.deviations.front();
     if (found.isOfSome)
         return;
-    if (isAboutOneCircle(found)
-        && !std::all_of(hits.begin(), hits.end(),
-                        [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); }))
+    const auto law = saidLaw();
+    if (law && !follows(*law, besideRight(hits)))
+        limit(hits);
+    else if (isAboutOneCircle(found)
+             && !std::all_of(hits.begin(), hits.end(),
+                             [&](const JudgedMeeting &one) { return isOfOneCircle(*one.hit); }))
         limit(hits);
     else if (MassExponents(m_own.pair()).radius && !areMasses(hits))
         (void)areOtherMasses(hits);

@@ -79,18 +79,31 @@ HitKinds::Kinds HitKinds::withLosses() const
 /// others part in another way; or of equal circles, where unequal ones alone do.
 void HitKinds::limitRestitution(const Kinds &hits)
 {
-    std::map<double, double> rebounds; // of equal circles, by e
+    std::map<double, Rebound> rebounds; // of equal circles, by e
+    bool isOneE = true;                 // for both
+    bool isFirst = true;                // e acts on circle 1 alone, or on circle 2
+    bool isSecond = true;
     for (const PairHit &hit : m_own.pair().rebounds) {
         const Rebound r = reboundOf(hit);
-        if (std::abs(r.first - r.second) > reboundBlur)
-            return; // not one e for both
-        rebounds[r.e] = r.first;
+        isOneE = isOneE && std::abs(r.first - r.second) <= reboundBlur;
+        const auto is = [](double a, double b) { return std::abs(a - b) <= reboundBlur; };
+        isFirst = isFirst && is(r.first, r.e) && is(r.second, 1.0);
+        isSecond = isSecond && is(r.first, 1.0) && is(r.second, r.e);
+        rebounds[r.e] = r;
     }
+    // Else what comes back hangs on how they come, too.
+    if (!isOneE && !isFirst && !isSecond)
+        return;
+    const auto isOff = [](double a, double b) { return std::abs(a - b) > 2.0 * reboundBlur; };
     const auto isOther = [&](const JudgedMeeting &one) {
+        const Rebound &r = rebounds[one.hit->meeting.restitution];
         const PairVelocities in = one.hit->cameParts();
         const PairVelocities out = one.hit->leftParts();
-        const double rebound = (out.along2 - out.along1) / (in.along1 - in.along2);
-        return std::abs(rebound - rebounds[one.hit->meeting.restitution]) > 2.0 * reboundBlur;
+        // One e for both shows whatever the masses are.
+        if (isOneE)
+            return isOff((out.along2 - out.along1) / (in.along1 - in.along2), r.first);
+        const Rebound each = reboundOf(*one.hit, ballRatioOf(one.hit->meeting));
+        return isOff(each.first, r.first) || isOff(each.second, r.second);
     };
     const bool isOfEqual = std::none_of(hits.begin(), hits.end(), [&](const JudgedMeeting &one) {
         return areAlike(one.hit->meeting) && isOther(one);

@@ -41,6 +41,12 @@ inline constexpr double ratioBlur = 0.01;
 /// How many times as heavy circle 2 is, by what the pushes did: |Δv₁| / |Δv₂|; nothing if they
 /// are not opposite. Where one alone is pushed, as its share of what parts them tells.
 [[nodiscard]] std::optional<double> massRatio(const PairHit &hit);
+
+/// m₂/m₁ of balls: (r₂/r₁)³ ρ₂/ρ₁.
+[[nodiscard]] inline double ballRatioOf(const Meeting &m)
+{
+    return std::pow(m.radius2 / m.radius1, 3) * m.density2 / m.density1;
+}
 /// The same by the push along the line of centres on one circle, from 0: its share of what parts
 /// two circles is that of the other in both masses.
 [[nodiscard]] std::optional<double> massRatioFor(const PairHit &hit, int circle);

@@ -12,12 +12,6 @@ namespace cradle {
 
 namespace {
 
-/// m₂/m₁ of balls.
-double ballRatioOf(const Meeting &m)
-{
-    return std::pow(m.radius2 / m.radius1, 3) * m.density2 / m.density1;
-}
-
 /// What equal circles do, by circles of those masses: the push on each is its share of it.
 PairVelocities asBalls(const EqualHit &h)
 {
