@@ -120,7 +120,7 @@ QString told(const Task &task, const QString &source, bool isWhole)
     std::vector<Repair> repairs = repairsOf(source, task.solution, all, 100'000);
     const std::size_t count = repairs.size();
     numbers.repairs << repairs;
-    putInOrder(repairs, source, {1, 5, 9, 13});
+    putInOrder(repairs, source, {1, 5, 9, 13}, false);
     numbers.repairs << repairs;
     QString text = QStringLiteral("statements %1, lines %2, quantities %3, %4 repairs %5\n")
                        .arg(approved::statements(program), approved::lines(program),

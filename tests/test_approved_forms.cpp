@@ -128,7 +128,7 @@ void addLine(approved::TextPrint &print, std::size_t &count, const QString &line
     std::vector<Repair> repairs =
         repairsOf(source, QStringLiteral("x = restitution"), {theLine}, 100'000);
     count += repairs.size();
-    putInOrder(repairs, source, {theLine});
+    putInOrder(repairs, source, {theLine}, false);
     print << repairs;
 }
 

@@ -16,6 +16,8 @@ private slots:
     void ofTwoEqualLinesTheLaterIsMeantForTheSecond();
     void whatIsToldComesFirst();
     void soundLinesComeLast();
+    void numbersWithNamesComeFirst();
+    void whatIsChangedInSeveralLinesComesBehind();
     void whatIsAlikeStaysInItsOrder();
 };
 
@@ -27,7 +29,7 @@ std::vector<QString> inOrder(const QString &source, const QStringList &changed,
     std::vector<Repair> repairs;
     for (const QString &each : changed)
         repairs.push_back({each, 1, true, false});
-    putInOrder(repairs, source, sound);
+    putInOrder(repairs, source, sound, false);
     std::vector<QString> sources;
     for (const Repair &each : repairs)
         sources.push_back(each.source);
@@ -84,7 +86,7 @@ void TestRepairOrder::ofTwoEqualLinesTheLaterIsMeantForTheSecond()
             {right + QLatin1Char('\n') + wrong, 1, true, false},
             {wrong + QLatin1Char('\n') + right, 2, true, false},
         };
-        putInOrder(repairs, wrong + QLatin1Char('\n') + wrong, {});
+        putInOrder(repairs, wrong + QLatin1Char('\n') + wrong, {}, false);
         return repairs.front().line;
     };
     QCOMPARE(first(QStringLiteral("walls(circle1)"), QStringLiteral("walls(circle2)")), 2);
@@ -97,12 +99,12 @@ void TestRepairOrder::whatIsToldComesFirst()
 {
     std::vector<Repair> repairs{{QStringLiteral("x = 2"), 1, true, false},
                                 {QStringLiteral("x = 3"), 1, true, true}};
-    putInOrder(repairs, QStringLiteral("x = 1"), {1});
+    putInOrder(repairs, QStringLiteral("x = 1"), {1}, false);
     QCOMPARE(repairs.front().source, QStringLiteral("x = 3"));
     // But not against the names.
     repairs = {{QStringLiteral("m1 = f(c2)"), 1, true, true},
                {QStringLiteral("m1 = g(c1)"), 1, true, false}};
-    putInOrder(repairs, QStringLiteral("m1 = f(c1)"), {});
+    putInOrder(repairs, QStringLiteral("m1 = f(c1)"), {}, false);
     QCOMPARE(repairs.front().source, QStringLiteral("m1 = g(c1)"));
 }
 
@@ -111,10 +113,39 @@ void TestRepairOrder::soundLinesComeLast()
     const QString source = QStringLiteral("x = u\ny = w");
     std::vector<Repair> repairs{{QStringLiteral("x = -u\ny = w"), 1, true, false},
                                 {QStringLiteral("x = u\ny = -w"), 2, true, false}};
-    putInOrder(repairs, source, {1});
+    putInOrder(repairs, source, {1}, false);
     QCOMPARE(repairs.front().line, 2);
-    putInOrder(repairs, source, {2});
+    putInOrder(repairs, source, {2}, false);
     QCOMPARE(repairs.front().line, 1);
+}
+
+void TestRepairOrder::numbersWithNamesComeFirst()
+{
+    const QString source = QStringLiteral("x = u + margin\nlocal margin = 0.1");
+    const std::vector<Repair> all{{QStringLiteral("x = u\nlocal margin = 0.1"), 1},
+                                  {QStringLiteral("x = u + margin\nlocal margin = 0"), 2}};
+    std::vector<Repair> repairs = all;
+    putInOrder(repairs, source, {}, true);
+    QCOMPARE(repairs.front().line, 2);
+    repairs = all;
+    putInOrder(repairs, source, {}, false);
+    QCOMPARE(repairs.front().line, 1);
+}
+
+void TestRepairOrder::whatIsChangedInSeveralLinesComesBehind()
+{
+    const QString source = QStringLiteral("a = u\nb = w\nc = p\nd.velocity = v");
+    std::vector<Repair> repairs{
+        {QStringLiteral("a = u\nb = w\nc = p\n"), 4},                       // a value not written
+        {QStringLiteral("a = u + k + k\nb = w\nc = p\nd.velocity = v"), 1}, // the same twice
+        {QStringLiteral("a = -u\nb = -w\nc = p\nd.velocity = v"), 1, false},
+        {QStringLiteral("a = u\nb = w\nc = -p\nd.velocity = v"), 3}};
+    putInOrder(repairs, source, {}, false);
+    QCOMPARE(repairs[0].line, 3);
+    QVERIFY(!repairs[1].alone);
+    QVERIFY(!repairs[1].isDoubtful);
+    QVERIFY(repairs[2].isDoubtful);
+    QVERIFY(repairs[3].isDoubtful);
 }
 
 void TestRepairOrder::whatIsAlikeStaysInItsOrder()

@@ -14,6 +14,11 @@ class TestTellingLines : public QObject
 private slots:
     void lineIsTold_data();
     void lineIsTold();
+    void rightMassesAreNotToBlame();
+    void whatIsKeptIsOfTheStart_data();
+    void whatIsKeptIsOfTheStart();
+    void missingWallIsGivenOthersAlone_data();
+    void missingWallIsGivenOthersAlone();
     void linesWithRestitutionComeAlone_data();
     void linesWithRestitutionComeAlone();
 };
@@ -80,6 +85,7 @@ void TestTellingLines::lineIsTold_data()
 
 void TestTellingLines::lineIsTold()
 {
+    const auto unsound = [](int) { return false; };
     QFETCH(int, suspect);
     QFETCH(QString, program);
     QFETCH(int, line);
@@ -90,20 +96,99 @@ void TestTellingLines::lineIsTold()
     LawDeviation deviation;
     deviation.suspect = Suspect(suspect);
     const ProgramLines lines(program);
-    QCOMPARE(tellingLine(deviation, lines, rows, ran), line);
+    QCOMPARE(tellingLine(deviation, lines, rows, ran, 0, unsound), line);
     // The only line with an angle, where directions are wrong.
     deviation.topic = Topic::Direction;
-    QCOMPARE(tellingLine(deviation, lines, rows, ran), line);
+    QCOMPARE(tellingLine(deviation, lines, rows, ran, 0, unsound), line);
     const int last = static_cast<int>(rows.size()) + 1;
     const QString turned = program + QStringLiteral("\na = math.atan(y, x)");
-    QCOMPARE(tellingLine(deviation, ProgramLines(turned), rowsOf(turned), ran), last);
+    QCOMPARE(tellingLine(deviation, ProgramLines(turned), rowsOf(turned), ran, 0, unsound), last);
     const QString twice = turned + QStringLiteral("\nb = math.acos(x)");
     RanLines all = ran;
     all.now.insert(last + 1);
-    QCOMPARE(tellingLine(deviation, ProgramLines(twice), rowsOf(twice), all), line);
+    QCOMPARE(tellingLine(deviation, ProgramLines(twice), rowsOf(twice), all, 0, unsound), line);
     // Only lines that ran are asked.
     if (Suspect(suspect) == Suspect::Kept)
-        QCOMPARE(tellingLine(deviation, lines, rows, {}), 0);
+        QCOMPARE(tellingLine(deviation, lines, rows, {}, 0, unsound), 0);
+}
+
+void TestTellingLines::rightMassesAreNotToBlame()
+{
+    const QString program = QStringLiteral("c.mass = pi * c.density * c.radius ^ 3\n"
+                                           "m1 = a.density * a.radius\nprint(m1)");
+    const auto lineOf = [&](int sound) {
+        LawDeviation deviation;
+        deviation.suspect = Suspect::Masses;
+        return tellingLine(deviation, ProgramLines(program), rowsOf(program), {}, 0,
+                           [&](int line) { return line == sound; });
+    };
+    QCOMPARE(lineOf(0), 1);
+    QCOMPARE(lineOf(1), 2);
+}
+
+void TestTellingLines::whatIsKeptIsOfTheStart_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<int>("last");
+    QTest::addColumn<int>("line");
+    const auto row = [](const char *name, const char *program, int last, int line) {
+        QTest::newRow(name) << QString::fromUtf8(program) << last << line;
+    };
+    row("a normal of the start", "local n = b.p - a.p\nfunction on_update()\n  x = s * n\nend", 3,
+        1);
+    row("of on_load", "function on_load()\n  c.old = c.position\nend\nx = c.old", 4, 2);
+    row("another field of that name", "old = c.position\nx = c.old", 2, 0);
+    row("numbers", "local k = 2\nx = k * u", 2, 0);
+    row("nothing yet", "local k = nil\nx = k * u", 2, 0);
+    row("what circles have", "c.velocity = vec(2, 0)\nx = c.velocity", 2, 0);
+    row("two of them", "local n = f(1)\nlocal s = f(2)\nx = s * n", 3, 0);
+    row("worked out in a step", "function on_update()\n  n = b - a\n  x = s * n\nend", 3, 0);
+    row("no line", "local n = b.p - a.p", 0, 0);
+    row("behind the program", "local n = b.p - a.p", 2, 0);
+}
+
+void TestTellingLines::whatIsKeptIsOfTheStart()
+{
+    QFETCH(QString, program);
+    QFETCH(int, last);
+    LawDeviation deviation;
+    deviation.suspect = Suspect::Kept;
+    QTEST(tellingLine(deviation, ProgramLines(program), rowsOf(program), {}, last,
+                      [](int) { return false; }),
+          "line");
+}
+
+void TestTellingLines::missingWallIsGivenOthersAlone_data()
+{
+    QTest::addColumn<QString>("calls");
+    QTest::addColumn<int>("line");
+    const auto row = [](const char *name, const char *calls, int line) {
+        QTest::newRow(name) << QString::fromLatin1(calls) << line;
+    };
+    row("of circle 1", "walls(circle1)", 5);
+    row("of circle 1 by its number", "walls(circles[1])", 5);
+    row("the last", "walls(circle1)\nwalls(circle1)", 6);
+    row("of both", "walls(circle1)\nwalls(circle2)", 0);
+    row("of all", "for _, c in ipairs(circles) do walls(c) end", 0);
+    row("handed on", "move(circle1)\nend\nfunction move(c)\n  walls(c)", 5);
+    row("handed on for both", "move(circle1)\nmove(circle2)\nend\nfunction move(c)\n  walls(c)", 0);
+    row("within what is called for both",
+        "move(circle1)\nmove(circle2)\nend\nfunction move(c)\n  walls(circle1)", 9);
+}
+
+void TestTellingLines::missingWallIsGivenOthersAlone()
+{
+    QFETCH(QString, calls);
+    const QString program = QStringLiteral("function walls(c)\n  if c.x > square.right then\n"
+                                           "  end end\nfunction on_update()\n%1\nend")
+                                .arg(calls);
+    LawDeviation deviation;
+    deviation.aspect = Aspect::Walls;
+    deviation.suspect = Suspect::Omission;
+    deviation.moment.circles = {1};
+    QTEST(tellingLine(deviation, ProgramLines(program), rowsOf(program), {}, 0,
+                      [](int) { return false; }),
+          "line");
 }
 
 void TestTellingLines::linesWithRestitutionComeAlone_data()

@@ -61,7 +61,7 @@ QString circleNames(const std::vector<int> &circles, std::size_t all)
 
 TimestepPattern patternOf(const std::vector<std::pair<double, double>> &factors)
 {
-    using Kind = TimestepPattern::Kind;
+    using Pattern = TimestepPattern::Kind;
     const auto all = [&](auto &&value, double wanted) {
         for (const auto &[h, factor] : factors) {
             if (!isAlike(value(h, factor) / wanted, 1.0, patternBlur))
@@ -73,19 +73,19 @@ TimestepPattern patternOf(const std::vector<std::pair<double, double>> &factors)
         return {};
     const auto [h0, f0] = factors.front();
     if (all([](double h, double f) { return f * h; }, 1.0))
-        return {Kind::Forgotten, 1.0};
+        return {Pattern::Forgotten, 1.0};
     if (all([](double h, double f) { return f / h; }, 1.0))
-        return {Kind::Squared, 1.0};
+        return {Pattern::Squared, 1.0};
     if (all([](double h, double f) { return f * h * h; }, 1.0))
-        return {Kind::Divided, 1.0};
+        return {Pattern::Divided, 1.0};
     const bool constant = std::all_of(factors.begin(), factors.end(), [f = f0](const auto &each) {
         return isAlike(each.second, f, patternBlur);
     });
     if (constant)
-        return {Kind::Constant, f0};
+        return {Pattern::Constant, f0};
     if (f0 > 0.0 && all([](double h, double f) { return f * h; }, f0 * h0))
-        return {Kind::Fixed, f0 * h0};
-    return {Kind::Other, f0};
+        return {Pattern::Fixed, f0 * h0};
+    return {Pattern::Other, f0};
 }
 
 } // namespace cradle

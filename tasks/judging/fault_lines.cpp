@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/fault_lines.h"
 
+#include "tasks/judging/applied_values.h"
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/line_at_fault.h"
 #include "tasks/judging/line_guess.h"
 #include "tasks/judging/mending.h"
 #include "tasks/judging/value_origin.h"
+#include "tasks/judging/value_repairs.h"
 #include "tasks/script/work_limit.h"
 
 #include <algorithm>
@@ -76,15 +78,28 @@ void FaultLines::point(Finding &finding, const LawDeviation &deviation,
     // Where a copy is at fault, the value itself in its place mends it, too.
     const int line = proven != 0 && deviation.suspect != Suspect::Copy
                          ? proven
-                         : guessedLine(*m_submission.script, deviation, ran,
-                                       {finding.line, workedOut, finding.calls, [&] {
-                                            return HitAtMoment(*m_submission.script,
-                                                               m_task.solution, deviation.moment);
-                                        }});
+                         : likelyLine(finding, deviation, ran, workedOut);
     if (line == finding.line)
         return;
     finding.line = line;
     finding.calls.clear();
+}
+
+int FaultLines::likelyLine(const Finding &finding, const LawDeviation &deviation,
+                           const RanLines &ran, std::optional<int> workedOut) const
+{
+    const QString &script = *m_submission.script;
+    SoundValues sound(script, deviation.moment);
+    const auto isSound = [&](int line) {
+        return soundLines(sound, {line}, deviation.aspect, deviation.suspect).contains(line);
+    };
+    const auto hit = [&] { return HitAtMoment(script, m_task.solution, deviation.moment); };
+    const int line =
+        guessedLine(script, deviation, ran, {finding.line, workedOut, finding.calls, hit, isSound});
+    if (line <= 0 || deviation.suspect == Suspect::Kept)
+        return line;
+    return AppliedValues(sound.program(), ran, finding.calls, deviation, isSound)
+        .originOf(line, isOfQuestion(deviation.suspect));
 }
 
 int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, int last,

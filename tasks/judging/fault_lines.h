@@ -40,6 +40,10 @@ private:
         MeasuredLaws laws;
     };
 
+    /// Without a proof.
+    /// \param workedOut  where the value that the last assignment writes back was worked out
+    [[nodiscard]] int likelyLine(const Finding &finding, const LawDeviation &deviation,
+                                 const RanLines &ran, std::optional<int> workedOut) const;
     [[nodiscard]] int provenLine(const LawDeviation &deviation, const RanLines &ran, int last,
                                  const std::vector<Finding> &before);
     /// Whether as much can be told of a changed program: what cannot be measured is not mended.

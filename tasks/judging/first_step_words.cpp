@@ -66,6 +66,7 @@ private:
                                                      "before the first."),
                                 isPosition);
         fault.moment.step = 1;
+        fault.suspect = Suspect::Kept;
         return fault;
     }
 };

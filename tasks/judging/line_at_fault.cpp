@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/line_at_fault.h"
 
-#include "tasks/judging/asked_values.h"
 #include "tasks/judging/fault_look.h"
-#include "tasks/judging/program_rows.h"
 #include "tasks/judging/program_statements.h"
+#include "tasks/judging/question_lines.h"
 #include "tasks/judging/repair_order.h"
+#include "tasks/judging/suspect_lines.h"
 #include "tasks/judging/value_repairs.h"
 #include "tasks/script/work_limit.h"
 
@@ -27,94 +27,7 @@ constexpr std::size_t mostDoubtful = 3;
 /// behind many lines.
 std::size_t mostRepairs(Suspect suspect)
 {
-    return isOfQuestion(suspect) || suspect == Suspect::Masses ? 800 : 600;
-}
-
-/// Whether the line gives numbers as the start of what a stage sets itself: gravity = vec(0, -9.8).
-bool isPinnedStart(const QString &row)
-{
-    static const QRegularExpression start(QStringLiteral(
-        "^\\s*((gravity|restitution|[\\w\\[\\]]+\\.(radius|density|position|velocity))\\s*,?\\s*)+"
-        "=[-\\d.,\\s()/*]*(vec\\s*\\([-\\d.,\\s()/*]*)*(--.*)?$"));
-    return row.contains(start);
-}
-
-/// The lines that only the moment needs, then others that run at it, then those that work out what
-/// circles keep, such as masses; of the first those that a teacher would look at before others.
-std::vector<int> suspects(const FaultQuery &query)
-{
-    const QStringList rows = query.program.split(QLatin1Char('\n'));
-    // What never runs is not to blame.
-    const ProgramLines program(query.program);
-    const std::set<int> dead = deadLines(program);
-    std::vector<int> lines;
-    const auto add = [&](int line) {
-        if (std::find(lines.begin(), lines.end(), line) == lines.end())
-            lines.push_back(line);
-    };
-    static const QRegularExpression comparison(QStringLiteral("[<>]"));
-    for (const int line : query.ran.now) {
-        if (isOfQuestion(query.suspect) && rows[line - 1].contains(comparison))
-            add(line);
-    }
-    if (isOfQuestion(query.suspect)) {
-        const AskedValues asked(program);
-        for (const int line : std::vector<int>(lines)) {
-            for (const AskedValue &value : asked.of(line))
-                add(value.line);
-        }
-    }
-    if (query.suspect == Suspect::Answer && query.ran.now.contains(query.last))
-        add(query.last);
-    static const QRegularExpression masses(QStringLiteral("radius|density|mass"));
-    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
-        if (query.suspect == Suspect::Masses && rows[line - 1].contains(masses)
-            && !rows[line - 1].contains(comparison) && !dead.contains(line))
-            add(line);
-    }
-    for (const int line : query.ran.special())
-        add(line);
-    for (const int line : query.ran.now)
-        add(line);
-    static const QRegularExpression quantities(
-        QStringLiteral("radius|density|mass|restitution|gravity|square"));
-    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
-        if (rows[line - 1].contains(quantities) && !dead.contains(line)
-            && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
-            add(line);
-    }
-    // What was chosen or made at the start: a method, a circle.
-    const std::vector<ProgramFunction> functions = functionsOf(program);
-    QStringList chosen{QStringLiteral("true|false|circle[12]")};
-    for (const ProgramFunction &each : functions) {
-        if (!each.name.isEmpty())
-            chosen.append(each.name + QStringLiteral("\\b(?!\\s*\\()"));
-    }
-    const QRegularExpression choice(
-        QStringLiteral("\\b(%1)|[\"']").arg(chosen.join(QLatin1Char('|'))));
-    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
-        const ProgramFunction *function = functionAt(functions, line);
-        if (function && function->name != QLatin1String("on_load"))
-            continue;
-        if (query.aspect == Aspect::Motion && rows[line - 1].contains(choice)
-            && !dead.contains(line)
-            && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
-            add(line);
-    }
-    // A hit of two is not a matter of the walls.
-    if (query.aspect == Aspect::Contact || query.aspect == Aspect::Response)
-        std::stable_partition(lines.begin(), lines.end(),
-                              [&](int line) { return !asksForWall(rows[line - 1]); });
-    // Who only hands a value on seldom gets it wrong.
-    std::set<int> copies;
-    std::set<int> works;
-    for (const ProgramAssignment &each : assignmentsOf(program))
-        (isHandedOn(program, each) ? copies : works).insert(each.line);
-    std::stable_partition(lines.begin(), lines.end(), [&](int line) {
-        return !copies.contains(line) || works.contains(line)
-               || (line == query.last && query.suspect == Suspect::Answer);
-    });
-    return lines;
+    return isOfQuestion(suspect) || suspect == Suspect::Masses ? 900 : 720;
 }
 
 /// Measures changed programs until one is mended.
@@ -139,6 +52,7 @@ public:
         return m_mended.has_value();
     }
 
+    [[nodiscard]] bool hasTwins() const { return m_twins.has_value(); }
     [[nodiscard]] std::optional<Repair> best() const
     {
         return m_mended ? m_mended : m_twins ? m_twins : m_part;
@@ -204,7 +118,7 @@ private:
 std::vector<Repair> changesOf(const FaultQuery &query)
 {
     const bool isOfMasses = query.suspect == Suspect::Masses;
-    const std::vector<int> all = suspects(query);
+    const std::vector<int> all = suspectLines(query);
     std::vector<int> near;
     std::vector<int> far;
     std::partition_copy(
@@ -233,13 +147,16 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     else if (query.aspect == Aspect::Response)
         add(valueRepairsOf(sound, all, query.aspect, Suspect::Masses, query.ran.now,
                            ValueChange::Completed));
-    putInOrder(changes, query.program, soundLines(sound, all, query.aspect, query.suspect));
+    putInOrder(changes, query.program, soundLines(sound, all, query.aspect, query.suspect),
+               query.aspect != Aspect::Motion);
     return changes;
 }
 
 } // namespace
 
-std::optional<Repair> repairOf(const FaultQuery &query)
+namespace {
+
+std::optional<Repair> foundRepair(const FaultQuery &query)
 {
     Trials trials;
     FaultLook look(query.program, query.reference, query.moment, query.aspect != Aspect::Motion,
@@ -251,7 +168,8 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     std::vector<Repair> doubtful;
     std::optional<Repair> twins;
     for (const Repair &repair : changesOf(query)) {
-        if (trials.areEnough())
+        const bool isWorse = repair.isDoubtful && (twins || proof.hasTwins());
+        if (trials.areEnough() || isWorse)
             break;
         const Sight sight = look.of(repair.source);
         if (sight == Sight::Once && !isOfQuestion(query.suspect) && doubtful.size() < mostDoubtful)
@@ -274,6 +192,25 @@ std::optional<Repair> repairOf(const FaultQuery &query)
          !trials.isMended() && !WorkLimit::isPassed() && repair != doubtful.end(); ++repair)
         trials.note(proof.take(*repair));
     return proof.best();
+}
+
+} // namespace
+
+std::optional<Repair> repairOf(const FaultQuery &query)
+{
+    static const QRegularExpression verdict(QStringLiteral("\\bif (true|false) then\\b"));
+    auto repair = foundRepair(query);
+    if (!repair)
+        return repair;
+    const QRegularExpressionMatch match =
+        verdict.match(repair->source.section(u'\n', repair->line - 1, repair->line - 1));
+    // What is right without one of two branches is wrong in that one.
+    const ProgramLines program(query.program);
+    if (const int line = match.hasMatch() ? avoidedLine(program, repair->line,
+                                                        match.captured(1) == QLatin1String("true"))
+                                          : 0)
+        repair->line = line;
+    return repair;
 }
 
 } // namespace cradle

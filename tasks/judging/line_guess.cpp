@@ -149,7 +149,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     const int last = assignment.line;
     const QStringList rows = rowsOf(program);
     const ProgramLines lines(program);
-    if (const int line = tellingLine(deviation, lines, rows, ran))
+    if (const int line = tellingLine(deviation, lines, rows, ran, last, assignment.isSound))
         return line;
     if (deviation.suspect == Suspect::Omission)
         return 0;

@@ -23,6 +23,8 @@ struct LastAssignment {
     std::vector<int> calls{}; ///< the lines that called it, the innermost last
     /// Of a hit of two: what it makes of them.
     std::function<HitAtMoment()> hit{};
+    /// Whether all that a line gives is known to be right.
+    std::function<bool(int)> isSound = [](int) { return false; };
 };
 
 /// Where a teacher would point first, if no change is proven to mend a program: among the lines

@@ -12,19 +12,15 @@ namespace cradle {
 
 namespace {
 
-/// The functions, by name, in which walls are asked for, or others are called in which they are.
-QStringList askingForWalls(const ProgramLines &program, const QStringList &rows)
+/// The functions, by name, in which walls are asked for.
+QStringList askingForWalls(const std::vector<ProgramFunction> &functions, const QStringList &rows)
 {
     QStringList names;
-    for (const ProgramFunction &function : functionsOf(program)) {
+    for (const ProgramFunction &function : functions) {
         if (function.name.isEmpty() || function.name.startsWith(QLatin1String("on_")))
             continue;
-        const QRegularExpression called(
-            QStringLiteral("\\b(%1)\\s*\\(")
-                .arg(names.isEmpty() ? QStringLiteral("[^\\w\\W]") : names.join(QLatin1Char('|'))));
         for (int line = function.first; line <= function.last; ++line) {
-            if (!names.contains(function.name)
-                && (asksForWall(rows[line - 1]) || rows[line - 1].contains(called)))
+            if (!names.contains(function.name) && asksForWall(rows[line - 1]))
                 names.append(function.name);
         }
     }
@@ -35,27 +31,34 @@ QStringList askingForWalls(const ProgramLines &program, const QStringList &rows)
 /// than that one, from 0; 0 if one names none, or that one.
 int lineForOthers(int circle, const ProgramLines &program, const QStringList &rows)
 {
-    const QStringList names = askingForWalls(program, rows);
-    if (names.isEmpty())
-        return 0;
-    const QRegularExpression call(
-        QStringLiteral("\\b(%1)\\s*\\((.*)").arg(names.join(QLatin1Char('|'))));
-    static const QRegularExpression named(QStringLiteral("\\bcircle(\\d+)\\b"));
+    static const QRegularExpression named(QStringLiteral("\\bcircles?\\[?(\\d+)\\b"));
     const std::vector<ProgramFunction> functions = functionsOf(program);
+    QStringList asking = askingForWalls(functions, rows);
     int found = 0;
-    for (int line = 1; line <= program.count(); ++line) {
-        const ProgramFunction *function = functionAt(functions, line);
-        const QString given = call.match(rows[line - 1]).captured(2);
-        if (!function || function->name != QLatin1String("on_update") || given.isEmpty())
-            continue;
-        auto each = named.globalMatch(given);
-        if (!each.hasNext())
-            return 0;
-        while (each.hasNext()) {
-            if (each.next().captured(1).toInt() == circle + 1)
+    for (qsizetype k = 0; k < asking.size(); ++k) {
+        const QRegularExpression call(QStringLiteral("\\b%1\\s*\\((.*)").arg(asking[k]));
+        for (int line = 1; line <= program.count(); ++line) {
+            const ProgramFunction *function = functionAt(functions, line);
+            const QString given = call.match(rows[line - 1]).captured(1);
+            if (!function || function->name == asking[k] || given.isEmpty())
+                continue;
+            auto each = named.globalMatch(given);
+            // Who hands on what it is given asks for it, too.
+            const bool handsOn =
+                !each.hasNext() && !function->name.isEmpty()
+                && std::any_of(
+                    function->parameters.begin(), function->parameters.end(),
+                    [&](const QString &name) { return withName(given, name, {}) != given; });
+            if (handsOn && !asking.contains(function->name))
+                asking.append(function->name);
+            if (!each.hasNext() && !handsOn)
                 return 0;
+            while (each.hasNext()) {
+                if (each.next().captured(1).toInt() == circle + 1)
+                    return 0;
+                found = std::max(found, line);
+            }
         }
-        found = line;
     }
     return found;
 }

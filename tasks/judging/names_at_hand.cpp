@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 namespace cradle {
 
@@ -38,6 +39,37 @@ QString fieldOf(const QString &owner, const QStringList &fields, const QStringLi
     return owner + QLatin1Char('.') + field;
 }
 
+/// The names that loops of a function give, c of `for _, c in ipairs(circles)`: of those around
+/// \p line, or of all others.
+QStringList loopNames(const ProgramLines &program, const ProgramFunction *function, int line,
+                      bool isAround)
+{
+    QStringList names;
+    for (std::size_t i = 0; i < program.tokens().size(); ++i) {
+        const int own = program.tokens()[i].line;
+        if (!program.is(i, "for") || (function && (own < function->first || own > function->last)))
+            continue;
+        std::size_t at = i + 1;
+        QStringList given;
+        for (; at < program.tokens().size() && !program.is(at, "in") && !program.is(at, "="); ++at)
+            given.append(program.tokens()[at].text);
+        while (at < program.tokens().size() && !program.is(at, "do"))
+            ++at;
+        int depth = 0;
+        for (; at < program.tokens().size(); ++at) {
+            if (program.is(at, "do") || program.is(at, "if") || program.is(at, "function")
+                || program.is(at, "repeat"))
+                ++depth;
+            else if ((program.is(at, "end") || program.is(at, "until")) && --depth == 0)
+                break;
+        }
+        const int last = at < program.tokens().size() ? program.tokens()[at].line : program.count();
+        if (isAround == (own <= line && line <= last))
+            names += given;
+    }
+    return names;
+}
+
 } // namespace
 
 NamesAtHand::NamesAtHand(const ProgramLines &program,
@@ -55,10 +87,19 @@ NamesAtHand::NamesAtHand(const ProgramLines &program,
             && !(i > 0 && program.is(i - 1, ".")))
             names.push_back(i);
     }
+    m_rebound = program.hasName(QStringLiteral("restitution")) ? QStringLiteral("(1 + restitution)")
+                                                               : QStringLiteral("2");
     m_parameters = function ? function->parameters : QStringList{};
-    nameCircles(program, assignments, names);
+    nameCircles(program, assignments, names, function, line);
+    // What is named later has no value yet.
+    std::erase_if(names, [&](std::size_t i) {
+        return program.tokens()[i].line > line
+               || (program.tokens()[i].line == line && program.isNewName(i)
+                   && !m_parameters.contains(program.tokens()[i].text));
+    });
     nameNumbers(program, names);
     static const QRegularExpression normal(QStringLiteral("^(n|normal|dir|direction|unit)$"));
+    m_normals = m_parameters.filter(normal);
     for (const ProgramAssignment &each : assignments) {
         if (each.isField || each.line >= line || !isWithin(each.line))
             continue;
@@ -75,7 +116,8 @@ NamesAtHand::NamesAtHand(const ProgramLines &program,
 
 void NamesAtHand::nameCircles(const ProgramLines &program,
                               const std::vector<ProgramAssignment> &assignments,
-                              const std::vector<std::size_t> &names)
+                              const std::vector<std::size_t> &names,
+                              const ProgramFunction *function, int line)
 {
     const QStringList positions = fieldsOf(program, assignments, QStringLiteral("position"));
     const QStringList velocities = fieldsOf(program, assignments, QStringLiteral("velocity"));
@@ -102,7 +144,15 @@ void NamesAtHand::nameCircles(const ProgramLines &program,
         if (isPartner && !owners.contains(parameter))
             owners.append(parameter);
     }
-    // Parameters first, in their order.
+    // Parameters first, in their order; last, besides two others, who goes through all of them.
+    const QStringList gone = loopNames(program, function, line, false);
+    const QStringList loops = loopNames(program, function, line, true);
+    owners.removeIf([&](const QString &owner) {
+        return gone.contains(owner) && !loops.contains(owner) && !m_parameters.contains(owner);
+    });
+    const auto isLoop = [&](const QString &owner) { return loops.contains(owner); };
+    if (owners.size() - std::count_if(owners.begin(), owners.end(), isLoop) > 1)
+        std::stable_partition(owners.begin(), owners.end(), std::not_fn(isLoop));
     std::stable_sort(owners.begin(), owners.end(), [&](const QString &a, const QString &b) {
         const auto rank = [&](const QString &owner) {
             const qsizetype at = m_parameters.indexOf(owner);

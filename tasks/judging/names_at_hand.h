@@ -32,6 +32,8 @@ public:
     [[nodiscard]] QStringList radii() const;
     /// Variables that are called as normals are.
     [[nodiscard]] const QStringList &normals() const { return m_normals; }
+    /// What a hit takes of the closing speed: 1 + e, or 2 where the program knows no e.
+    [[nodiscard]] const QString &rebound() const { return m_rebound; }
     /// Variables that are worked out of a radius.
     [[nodiscard]] const QStringList &ofRadius() const { return m_ofRadius; }
     [[nodiscard]] const QStringList &parameters() const { return m_parameters; }
@@ -40,9 +42,11 @@ public:
 
 private:
     void nameCircles(const ProgramLines &program, const std::vector<ProgramAssignment> &assignments,
-                     const std::vector<std::size_t> &names);
+                     const std::vector<std::size_t> &names, const ProgramFunction *function,
+                     int line);
     void nameNumbers(const ProgramLines &program, const std::vector<std::size_t> &names);
     std::vector<NamedCircle> m_circles{};
+    QString m_rebound{};
     QStringList m_masses{};
     QStringList m_radii{}; ///< variables
     QStringList m_normals{};

@@ -152,15 +152,16 @@ std::vector<int> ProgramLines::twinsOf(int line) const
         return twins;
     for (auto it = m_rowTokens.lower_bound(line - near);
          it != m_rowTokens.end() && it->first <= line + near; ++it) {
-        const bool same = std::equal(own->second.begin(), own->second.end(), it->second.begin(),
-                                     it->second.end(), [&](std::size_t a, std::size_t b) {
-                                         const ProgramToken &x = m_tokens[a];
-                                         const ProgramToken &y = m_tokens[b];
-                                         const bool isName =
-                                             x.kind == ProgramToken::Kind::Name
-                                             || x.kind == ProgramToken::Kind::Number;
-                                         return x.kind == y.kind && (isName || x.text == y.text);
-                                     });
+        const bool same =
+            std::equal(own->second.begin(), own->second.end(), it->second.begin(), it->second.end(),
+                       [&](std::size_t a, std::size_t b) {
+                           const ProgramToken &x = m_tokens[a];
+                           const ProgramToken &y = m_tokens[b];
+                           const bool isName = x.kind == ProgramToken::Kind::Name
+                                               || x.kind == ProgramToken::Kind::Number;
+                           const bool isSum = (x.is("+") || x.is("-")) && (y.is("+") || y.is("-"));
+                           return x.kind == y.kind && (isName || isSum || x.text == y.text);
+                       });
         if (same && it->first != line)
             twins.push_back(it->first);
     }

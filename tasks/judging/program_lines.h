@@ -61,7 +61,7 @@ public:
     /// The token after the bracket that closes the one at \p i.
     [[nodiscard]] std::size_t afterGroup(std::size_t i) const;
 
-    /// Lines near \p line with the same tokens but for names, numbers and signs of order.
+    /// Lines near \p line with the same tokens but for names, numbers and plus for minus.
     [[nodiscard]] std::vector<int> twinsOf(int line) const;
     /// The place in \p twin that \p at is in \p line; nothing if it is within a token.
     [[nodiscard]] std::optional<qsizetype> placeIn(int line, int twin, qsizetype at) const;

@@ -199,6 +199,14 @@ QStringList valuesIn(const ProgramLines &program, std::size_t from, std::size_t 
     return names;
 }
 
+bool isNumber(const ProgramLines &program, const ProgramAssignment &assignment)
+{
+    std::size_t at = assignment.from;
+    while (at < assignment.to && program.is(at, "-"))
+        ++at;
+    return at + 1 == assignment.to && program.tokens()[at].kind == ProgramToken::Kind::Number;
+}
+
 bool isHandedOn(const ProgramLines &program, const ProgramAssignment &assignment)
 {
     for (std::size_t i = assignment.from; i < assignment.to; ++i) {

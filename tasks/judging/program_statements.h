@@ -48,6 +48,9 @@ struct ProgramFunction {
 /// of each, v of self.v; not those of functions.
 [[nodiscard]] QStringList valuesIn(const ProgramLines &program, std::size_t from, std::size_t to);
 
+/// Whether a value is one number, with a sign or without.
+[[nodiscard]] bool isNumber(const ProgramLines &program, const ProgramAssignment &assignment);
+
 /// Whether a value is only handed on: v, self.v or vec(x, self.y).
 [[nodiscard]] bool isHandedOn(const ProgramLines &program, const ProgramAssignment &assignment);
 

@@ -33,6 +33,7 @@ Quantities::Quantities(const NamesAtHand &names, const QStringList &timesteps, A
         m_all = {QStringLiteral("gravity"), QStringLiteral("gravity.x"),
                  QStringLiteral("gravity.y")};
         m_all += timesteps;
+        addMotion();
         break;
     case Aspect::Walls:
     case Aspect::Course:
@@ -47,10 +48,11 @@ Quantities::Quantities(const NamesAtHand &names, const QStringList &timesteps, A
         addHelper(names.parameters());
         break;
     case Aspect::Response:
-        if (suspect == Suspect::Masses)
-            addMasses();
-        if (pair)
+        addMasses();
+        if (pair) {
             addResponse(pair->first, pair->second, names.masses());
+            addPushes(pair->first, pair->second, names.masses());
+        }
         addHelper(names.parameters());
         if (names.masses().size() == 2)
             m_all +=
@@ -61,6 +63,37 @@ Quantities::Quantities(const NamesAtHand &names, const QStringList &timesteps, A
         break;
     case Aspect::Start:
         break;
+    }
+}
+
+/// What is right wherever one circle is moved: the way and what gravity adds, in a step.
+void Quantities::addMotion()
+{
+    m_sound = m_all;
+    for (const QString &radius : m_names.radii())
+        m_sound += {QStringLiteral("square.half_width - ") + radius,
+                    radius + QStringLiteral(" - square.half_width")};
+    for (const QString &h : m_timesteps) {
+        const QString kick = QStringLiteral("gravity * %1").arg(h);
+        m_sound += {kick,
+                    QStringLiteral("gravity.x * %1").arg(h),
+                    QStringLiteral("gravity.y * %1").arg(h),
+                    QStringLiteral("0.5 * %1 * %2").arg(kick, h),
+                    QStringLiteral("%1 * %2").arg(kick, h),
+                    QStringLiteral("%1 / 2").arg(kick)};
+        for (const NamedCircle &circle : m_names.circles()) {
+            const QString &v = circle.velocity;
+            m_sound += {QStringLiteral("%1 * %2").arg(v, h),
+                        QStringLiteral("%1.x * %2").arg(v, h),
+                        QStringLiteral("%1.y * %2").arg(v, h),
+                        QStringLiteral("%1 + %2").arg(v, kick),
+                        QStringLiteral("%1 + %2 / 2").arg(v, kick),
+                        QStringLiteral("%1.x + gravity.x * %2").arg(v, h),
+                        QStringLiteral("%1.y + gravity.y * %2").arg(v, h),
+                        QStringLiteral("%1 + %2 * %3").arg(circle.position, v, h),
+                        QStringLiteral("%1.x + %2.x * %3").arg(circle.position, v, h),
+                        QStringLiteral("%1.y + %2.y * %3").arg(circle.position, v, h)};
+        }
     }
 }
 
@@ -130,6 +163,40 @@ void Quantities::addResponse(const NamedCircle &a, const NamedCircle &b, const Q
     m_all += {common, QStringLiteral("%1 * %2").arg(common, normal)};
 }
 
+/// What is right on the way to a push: masses, parts along and across, the push of a hit with e.
+void Quantities::addPushes(const NamedCircle &a, const NamedCircle &b, QStringList masses)
+{
+    m_sound += {a.velocity, b.velocity};
+    const QString relative = QStringLiteral("(%1 - %2)").arg(a.velocity, b.velocity);
+    const QStringList normals =
+        QStringList{QStringLiteral("(%1 - %2):normalized()").arg(b.position, a.position)}
+        + m_names.normals();
+    for (const QString &normal : normals) {
+        const QString s = QStringLiteral("%1:dot(%2)").arg(relative, normal);
+        for (const QString &v : {a.velocity, b.velocity, relative}) {
+            const QString along = QStringLiteral("%1:dot(%2) * %2").arg(v, normal);
+            m_sound += {along, QLatin1Char('-') + along, QStringLiteral("%1 - %2").arg(v, along)};
+        }
+        m_sound += {QStringLiteral("vec(-%1.y, %1.x)").arg(normal),
+                    QStringLiteral("vec(%1.y, -%1.x)").arg(normal)};
+        if (masses.size() != 2)
+            continue;
+        const QString both = QStringLiteral("(%1 + %2)").arg(masses[0], masses[1]);
+        const QString reduced = QStringLiteral("%1 * %2 / %3").arg(masses[0], masses[1], both);
+        const QString push = QStringLiteral("%1 * %2 * %3").arg(m_names.rebound(), s, reduced);
+        m_sound += {reduced,
+                    both,
+                    push,
+                    QLatin1Char('-') + push,
+                    QStringLiteral("%1 * %2").arg(push, normal),
+                    QStringLiteral("-%1 * %2").arg(push, normal),
+                    QStringLiteral("(%1 * %4:dot(%6) + %2 * %5:dot(%6)) / %3")
+                        .arg(masses[0], masses[1], both, a.velocity, b.velocity, normal),
+                    QStringLiteral("(%1 * %4 + %2 * %5) / %3")
+                        .arg(masses[0], masses[1], both, a.velocity, b.velocity)};
+    }
+}
+
 /// What a function of vectors alone is likely to give.
 void Quantities::addHelper(const QStringList &parameters)
 {
@@ -148,12 +215,24 @@ void Quantities::addHelper(const QStringList &parameters)
 /// The mass of a ball; the factors that all have in common do not count.
 void Quantities::addMasses()
 {
+    for (const QString &radius : m_names.radii())
+        m_masses.append(QStringLiteral("4 / 3 * math.pi * %1 ^ 3").arg(radius));
     for (const NamedCircle &circle : m_names.circles()) {
+        const bool isTried = m_suspect == Suspect::Masses;
         const QString mass = QStringLiteral("%1 * %2 ^ 3").arg(circle.density, circle.radius);
-        m_all += {mass, QStringLiteral("1 / (%1)").arg(mass)};
+        if (isTried)
+            m_all += {mass, QStringLiteral("1 / (%1)").arg(mass)};
         const QString volume = QStringLiteral("4 / 3 * math.pi * %1 ^ 3").arg(circle.radius);
-        m_sound += {volume, mass, QStringLiteral("1000 * %1 * %2").arg(circle.density, volume)};
+        m_masses += {volume, mass, QStringLiteral("%1 * %2").arg(circle.density, volume),
+                     QStringLiteral("1000 * %1 * %2").arg(circle.density, volume)};
     }
+}
+
+QStringList Quantities::soundFor(const QString &value) const
+{
+    static const QRegularExpression ofBall(
+        QStringLiteral("radius|density|volume|[mM]ass|\\bpi\\b|\\br(ad)?_?\\d?\\b"));
+    return value.contains(ofBall) ? m_sound + m_masses : m_sound;
 }
 
 QStringList Quantities::sides(const QString &value) const
@@ -185,8 +264,9 @@ QStringList Quantities::completed(const QString &value, const QStringList &forgo
                            .arg(value, circle.position, QLatin1String(wall), circle.radius));
     }
     static const QRegularExpression radius(QStringLiteral("\\br(ad|adius)?_?\\d?\\b"));
+    static const QRegularExpression index(QStringLiteral("^([ijk]|index|\\w+\\.index)$"));
     if (m_aspect == Aspect::Walls && !isQuestion && !value.contains(radius)
-        && !m_names.radii().isEmpty())
+        && !value.contains(index) && !m_names.radii().isEmpty())
         all += {QStringLiteral("%1 - %2").arg(value, m_names.radii().front()),
                 QStringLiteral("%1 + %2").arg(value, m_names.radii().front())};
     if (m_suspect == Suspect::Masses && !m_names.circles().empty()) {

@@ -17,8 +17,9 @@ public:
 
     /// What may stand in place of a whole value.
     [[nodiscard]] const QStringList &all() const { return m_all; }
-    /// Those of them that are right wherever a program has them.
-    [[nodiscard]] const QStringList &sound() const { return m_sound; }
+    /// Those of them that are right wherever a program has them in place of \p value: masses where
+    /// that is worked out of what a ball has.
+    [[nodiscard]] QStringList soundFor(const QString &value) const;
     /// Coordinates of such: right where they are all that a program gives.
     [[nodiscard]] const QStringList &parts() const { return m_parts; }
     /// What may stand on a side of a question of contact in place of a value: the sum of the radii,
@@ -30,9 +31,11 @@ public:
                                         const QStringList &forgottenNames) const;
 
 private:
+    void addMotion();
     void addPair(const NamedCircle &a, const NamedCircle &b);
     void addContact(const NamedCircle &a, const NamedCircle &b);
     void addResponse(const NamedCircle &a, const NamedCircle &b, const QStringList &masses);
+    void addPushes(const NamedCircle &a, const NamedCircle &b, QStringList masses);
     void addHelper(const QStringList &parameters);
     void addMasses();
 
@@ -42,6 +45,7 @@ private:
     Suspect m_suspect;
     QStringList m_all{};
     QStringList m_sound{};
+    QStringList m_masses{}; ///< of balls, and volumes
     QStringList m_parts{};
     QStringList m_across{}; ///< parts of velocities that a hit leaves as they are
 };

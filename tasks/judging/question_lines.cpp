@@ -103,4 +103,33 @@ int unledQuestion(Suspect suspect, const QStringList &rows, const RanLines &ran,
     return found == 0 ? 0 : askedIn(found, suspect, asked);
 }
 
+int avoidedLine(const ProgramLines &program, int line, bool verdict)
+{
+    const std::vector<ProgramToken> &tokens = program.tokens();
+    std::size_t at = program.tokensOf(line).front();
+    while (at < tokens.size() && !program.is(at, "then"))
+        ++at;
+    const std::size_t then = at + 1;
+    std::size_t otherwise = 0;
+    int depth = 0;
+    for (at = then; at < tokens.size(); ++at) {
+        if (program.is(at, "if") || program.is(at, "do") || program.is(at, "function")
+            || program.is(at, "repeat"))
+            ++depth;
+        else if (program.is(at, "else") && depth == 0)
+            otherwise = at + 1;
+        else if ((program.is(at, "end") || program.is(at, "until")) && depth-- == 0)
+            break;
+    }
+    if (otherwise == 0)
+        return 0;
+    const int first = tokens[verdict ? otherwise : then].line;
+    const int last = tokens[verdict ? at - 1 : otherwise - 1].line;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        if (each.line >= first && each.line <= last && each.line != line)
+            return each.line;
+    }
+    return 0;
+}
+
 } // namespace cradle

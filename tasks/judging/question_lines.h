@@ -27,4 +27,8 @@ namespace cradle {
 [[nodiscard]] int unledQuestion(Suspect suspect, const QStringList &rows, const RanLines &ran,
                                 const AskedValues &asked);
 
+/// The first line that gives a value in the branch that is not taken where the question of \p line
+/// has the answer \p verdict; 0 if there is no other branch.
+[[nodiscard]] int avoidedLine(const ProgramLines &program, int line, bool verdict);
+
 } // namespace cradle

@@ -64,6 +64,9 @@ private:
     /// Once, also where several ways lead to it.
     void add(const QString &source, int line, bool alone);
     [[nodiscard]] std::size_t roomForTwins() const { return m_most / 4; }
+    using Place = std::pair<qsizetype, qsizetype>;
+    [[nodiscard]] QString inTwin(const QString &text, int line, int twin, Place place,
+                                 qsizetype start) const;
     void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text);
 
     const ProgramLines &m_program;

@@ -128,9 +128,17 @@ QString rowOf(const QString &source, int line)
 
 } // namespace
 
-void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound)
+void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound,
+                bool triesNumbers)
 {
     static const QRegularExpression verdict(QStringLiteral("\\bif (true|false) then\\b"));
+    static const QRegularExpression number(
+        QStringLiteral("^\\s*(local\\s+)?\\w+(\\s*,\\s*\\w+)*\\s*=\\s*-?[\\d.]+(\\s*,\\s*-?[\\d.]+)"
+                       "*\\s*(--.*)?$"));
+    static const QRegularExpression writeBack(
+        QStringLiteral("^\\s*[\\w.\\[\\]]+\\.(velocity|position)\\s*=\\s*\\w+\\s*(--.*)?$"));
+    static const QRegularExpression doubled(
+        QStringLiteral("([-+] [\\w.]+( \\* [\\w.]+)*) ?\\1\\b"));
     const QStringList rows = source.split(QLatin1Char('\n'));
     std::vector<Naming> namings;
     std::transform(rows.begin(), rows.end(), std::back_inserter(namings), namingOf);
@@ -140,16 +148,20 @@ void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::
         const QString row = rowOf(repair.source, repair.line);
         const Naming after = row == rows[repair.line - 1] ? before : namingOf(row);
         if (before != Naming::Disagrees && after == Naming::Disagrees)
-            return 2;
+            return 3;
+        if (triesNumbers && row.contains(number) && rows[repair.line - 1].contains(number))
+            return 0;
         if (repair.told || (before == Naming::Disagrees && after != Naming::Disagrees))
             return 0;
-        const bool isLast = row.contains(verdict) || isFirstOfTwo(rows, repair.line, row)
-                            || sound.contains(repair.line);
-        return isLast ? 2 : 1;
+        const bool isDropped = row.isEmpty() && rows[repair.line - 1].contains(writeBack);
+        const bool isLast = isDropped || row.contains(verdict) || row.contains(doubled)
+                            || isFirstOfTwo(rows, repair.line, row) || sound.contains(repair.line);
+        return isLast ? 3 : repair.alone ? 1 : 2;
     };
     std::vector<std::pair<int, Repair>> ranked;
     for (Repair &repair : repairs) {
         const int rank = rankOf(repair);
+        repair.isDoubtful = rank == 3;
         ranked.emplace_back(rank, std::move(repair));
     }
     std::stable_sort(ranked.begin(), ranked.end(),

@@ -151,7 +151,7 @@ void repairScales(RepairList &repairs, std::size_t i)
     const QString right = repairs.program().source().mid(from, end - from);
     if (!returns && right.contains(QLatin1Char('+')))
         repairs.replace(repairs.tokens()[i].line, from, end, QStringLiteral("(%1) / 2").arg(right));
-    if (right.contains(QLatin1Char('*')))
+    if (right.contains(QLatin1Char('*')) || (!returns && right.contains(QLatin1Char('/'))))
         repairs.replace(
             repairs.tokens()[i].line, from, end,
             (returns ? QStringLiteral("1 / (%1)") : QStringLiteral("2 * (%1)")).arg(right));
@@ -160,7 +160,10 @@ void repairScales(RepairList &repairs, std::size_t i)
 void dropLine(RepairList &repairs, int line)
 {
     const ProgramLines &program = repairs.program();
-    if (isStatement(program, line))
+    const auto &row = program.tokensOf(line);
+    const bool isFunction = std::any_of(row.begin(), row.end(),
+                                        [&](std::size_t i) { return program.is(i, "function"); });
+    if (isStatement(program, line) && !isFunction)
         repairs.replace(line, program.startOf(line),
                         program.startOf(line) + program.row(line).size(), {});
 }

@@ -63,11 +63,31 @@ void addFactor(RepairList &repairs, std::size_t i)
         repairs.insertAfter(last, QStringLiteral(" ^ 2"));
 }
 
+/// Whether a name only ever gets whole numbers, or one more or less than it has.
+bool isCount(const RepairList &repairs, const QString &name)
+{
+    bool isGiven = false;
+    for (const ProgramAssignment &each : repairs.assignments()) {
+        if (each.name != name)
+            continue;
+        isGiven = true;
+        for (std::size_t at = each.from; at < each.to; ++at) {
+            const ProgramToken &token = repairs.tokens()[at];
+            const bool isWhole =
+                token.kind == ProgramToken::Kind::Number && !token.text.contains(QLatin1Char('.'));
+            if (!isWhole && token.text != name && !token.is("+") && !token.is("-"))
+                return false;
+        }
+    }
+    return isGiven;
+}
+
 /// The rim for the centre, on either side of a comparison.
 void addRadius(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &sign = repairs.tokens()[i];
-    if (!(sign.is("<") || sign.is(">") || sign.is("<=") || sign.is(">=")) || i == 0)
+    if (!(sign.is("<") || sign.is(">") || sign.is("<=") || sign.is(">=")) || i == 0
+        || isCount(repairs, repairs.tokens()[i - 1].text))
         return;
     for (const QString &body : repairs.program().bodiesNear(sign.line)) {
         repairs.insertAfter(repairs.tokens()[i - 1], QStringLiteral(" + %1.radius").arg(body));

@@ -21,6 +21,13 @@ void changeNumber(RepairList &repairs, std::size_t i)
     if (i > 0 && repairs.tokens()[i - 1].is("^"))
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
     const bool isIndex = i > 0 && repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
+    const std::size_t before = i > 0 && repairs.is(i - 1, "-") ? i - 1 : i;
+    const bool isWhole =
+        (repairs.is(before - 1, "=") || repairs.is(before - 1, ","))
+        && (i + 1 == repairs.tokens().size() || repairs.tokens()[i + 1].line != number.line
+            || repairs.is(i + 1, ","));
+    if (isWhole)
+        others.append(QStringLiteral("0"));
     if (isIndex)
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("i")};
     for (const QString &other : others)

@@ -4,6 +4,8 @@
 
 #include "tasks/judging/repair_list.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <iterator>
 
@@ -19,6 +21,20 @@ struct Edit {
     QString text;
 };
 
+/// Whether the row at \p at compares a value with itself, or with itself and something more, or
+/// gives two values to one name.
+bool isAbsurd(const QString &source, qsizetype at)
+{
+    static const QRegularExpression same(QStringLiteral(
+        "(?:\\b(?:if|elseif|and|or|not|return)\\b|=|\\() *([\\w.\\[\\]]+)(?: [+-] [\\w.]+)? "
+        "?[<>]=? ?\\1(?: [+-] [\\w.]+)? *(?:\\b(?:then|and|or)\\b|\\)|$)"));
+    const qsizetype from = source.lastIndexOf(QLatin1Char('\n'), at - 1) + 1;
+    const qsizetype to = source.indexOf(QLatin1Char('\n'), at);
+    static const QRegularExpression twice(QStringLiteral("\\b(\\w+), *\\1 *="));
+    const QString row = source.mid(from, to < 0 ? -1 : to - from);
+    return row.contains(same) || row.contains(twice);
+}
+
 } // namespace
 
 void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &text)
@@ -29,6 +45,8 @@ void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &
         return;
     QString changed = source;
     changed.replace(from, to - from, text);
+    if (isAbsurd(changed, from))
+        return;
     add(changed, line, true);
     replaceInTwins(line, from, to, text);
 }
@@ -46,11 +64,14 @@ void RepairList::replaceInTwins(int line, qsizetype from, qsizetype to, const QS
     if (m_twins.size() >= roomForTwins())
         return;
     std::vector<Edit> edits{{from, to, text}};
+    int first = line;
     for (const int twin : m_program.twinsOf(line)) {
         const auto start = m_program.placeIn(line, twin, from);
         const auto end = m_program.placeIn(line, twin, to);
         if (start && end)
-            edits.push_back({*start, *end, m_program.inTwin(text, line, twin)});
+            first = std::min(first, twin);
+        if (start && end)
+            edits.push_back({*start, *end, inTwin(text, line, twin, {from, to}, *start)});
     }
     if (edits.size() < 2)
         return;
@@ -59,7 +80,18 @@ void RepairList::replaceInTwins(int line, qsizetype from, qsizetype to, const QS
     QString changed = m_program.source();
     for (const Edit &edit : edits)
         changed.replace(edit.from, edit.to - edit.from, edit.text);
-    add(changed, line, false);
+    add(changed, first, false);
+}
+
+QString RepairList::inTwin(const QString &text, int line, int twin, Place place,
+                           qsizetype start) const
+{
+    // What is taken from one is added to the other.
+    const QString &source = m_program.source();
+    const bool isSign = text == QLatin1String("+") || text == QLatin1String("-");
+    if (isSign && source[place.first] != source[start])
+        return text == QLatin1String("+") ? QStringLiteral("-") : QStringLiteral("+");
+    return m_program.inTwin(text, line, twin);
 }
 
 void RepairList::add(const QString &source, int line, bool alone)

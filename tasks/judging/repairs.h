@@ -16,6 +16,8 @@ struct Repair {
     /// Other lines tell that it is meant so: one that says it of the other circle, a value that
     /// was worked out for it and is used nowhere.
     bool told = false;
+    /// It changes what is right by itself, or makes of it what nobody means.
+    bool isDoubtful = false;
 };
 
 /// Programs that differ from \p source in one token, one factor, one term, one part of a condition

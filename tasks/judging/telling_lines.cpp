@@ -15,7 +15,8 @@ namespace cradle {
 namespace {
 
 /// The line that works out a mass; 0 if none is found.
-int massLine(const ProgramLines &program, const QStringList &rows)
+int massLine(const ProgramLines &program, const QStringList &rows,
+             const std::function<bool(int)> &isSound)
 {
     const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
     const QStringList copies =
@@ -37,7 +38,7 @@ int massLine(const ProgramLines &program, const QStringList &rows)
             || row.contains(QLatin1String("velocity")) || dead.contains(i + 1))
             continue;
         const int work = worksOut(row);
-        if (work > most) {
+        if (work > most && !isSound(i + 1)) {
             most = work;
             best = i + 1;
         }
@@ -46,7 +47,7 @@ int massLine(const ProgramLines &program, const QStringList &rows)
 }
 
 /// The line in which what is called a mass is given a value; 0 if there are several.
-int namedMassLine(const ProgramLines &program)
+int namedMassLine(const ProgramLines &program, const std::function<bool(int)> &isSound)
 {
     static const QRegularExpression mass(QStringLiteral("^m(ass(es)?)?_?(\\d|[abij]|one|two)?$"),
                                          QRegularExpression::CaseInsensitiveOption);
@@ -56,6 +57,7 @@ int namedMassLine(const ProgramLines &program)
         const QStringList values = valuesIn(program, each.from, each.to);
         // What is worked out of masses is no circle's.
         if (!each.name.contains(mass) || each.line == found || dead.contains(each.line)
+            || isSound(each.line)
             || std::any_of(values.begin(), values.end(),
                            [](const QString &value) { return value.contains(mass); }))
             continue;
@@ -139,6 +141,34 @@ int keepingLine(const QStringList &rows, const RanLines &ran)
     return 0;
 }
 
+/// The only line at the start of a program, at the top of the file or in on_load, that gives what
+/// \p line takes, but for numbers and what circles have; 0 if there is none, or several.
+int startLine(const ProgramLines &program, int line)
+{
+    static const QSet<QString> given{QStringLiteral("position"), QStringLiteral("velocity"),
+                                     QStringLiteral("radius"),   QStringLiteral("density"),
+                                     QStringLiteral("mass"),     QStringLiteral("x"),
+                                     QStringLiteral("y")};
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    const auto &row = program.tokensOf(line);
+    int found = 0;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        const ProgramFunction *function = functionAt(functions, each.line);
+        const bool isOfStart = !function || function->name == QLatin1String("on_load");
+        const bool isTaken = std::any_of(row.begin(), row.end(), [&](std::size_t i) {
+            const bool isField = i > 0 && program.is(i - 1, ".");
+            return program.tokens()[i].text == each.name && isField == each.isField;
+        });
+        if (!isOfStart || !isTaken || isNumber(program, each) || each.from == each.to
+            || program.is(each.from, "nil") || given.contains(each.name) || each.line == found)
+            continue;
+        if (found != 0)
+            return 0;
+        found = each.line;
+    }
+    return found;
+}
+
 /// The only line of those that run at the moment that works an angle out of a
 /// direction; 0 if there is none, or several.
 int angleLine(const QStringList &rows, const RanLines &ran)
@@ -192,7 +222,7 @@ std::vector<int> withRestitution(const std::vector<int> &lines, const QStringLis
 }
 
 int tellingLine(const LawDeviation &deviation, const ProgramLines &program, const QStringList &rows,
-                const RanLines &ran)
+                const RanLines &ran, int last, const std::function<bool(int)> &isSound)
 {
     if (const int line = deviation.topic == Topic::Direction ? angleLine(rows, ran) : 0)
         return line;
@@ -208,16 +238,18 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
                     ? 0
                     : earlyLine(program, {QStringLiteral("radius"), QStringLiteral("density")}))
             return line;
-        if (const int line = massLine(program, rows))
+        if (const int line = massLine(program, rows, isSound))
             return line;
-        return namedMassLine(program);
+        return namedMassLine(program, isSound);
     case Suspect::Copy:
         if (const int line = copyLine(rows))
             return line;
         return earlyLine(program, {QStringLiteral("radius"), QStringLiteral("density"),
                                    QStringLiteral("restitution"), QStringLiteral("gravity")});
     case Suspect::Kept:
-        return keepingLine(rows, ran);
+        if (const int line = keepingLine(rows, ran))
+            return line;
+        return last < 1 || last > program.count() ? 0 : startLine(program, last);
     case Suspect::Omission:
         return deviation.aspect == Aspect::Walls ? lineOfMissingWall(deviation, program, rows) : 0;
     case Suspect::Answer:

@@ -122,6 +122,11 @@ bool isSuspicious(const ProgramLines &program, const Value &value, Aspect aspect
             return token.kind == ProgramToken::Kind::Number || token.is("gravity")
                    || (change == ValueChange::Completed && (token.is("velocity") || token.is("v")));
         });
+    // A length that a wall turns at is worked out of places and radii.
+    if (aspect == Aspect::Walls || aspect == Aspect::Course)
+        return !any([](const ProgramToken &token) {
+            return token.is("density") || token.is("mass") || token.is("pi");
+        });
     // What is a mass at last may lack something, too.
     if (suspect == Suspect::Masses && program.is(value.from - 1, "return"))
         return true;
@@ -149,9 +154,20 @@ QString stopping(const QString &source, qsizetype from, qsizetype to, const QStr
     return watch + changed;
 }
 
-bool reaches(const QString &program, const Moment &moment)
+/// Other velocities: what is right in one scene by chance is not in both.
+Stage varied(const Stage &stage)
 {
-    Probe probe(&program, moment.stage, true);
+    Stage other = stage;
+    for (PresetCircle &circle : other.preset.circles) {
+        const Vec2 v = circle.body.velocity;
+        circle.body.velocity = {1.05 * v.x + 0.03, 0.96 * v.y - 0.02};
+    }
+    return other;
+}
+
+bool reaches(const QString &program, const Moment &moment, const Stage &stage)
+{
+    Probe probe(&program, stage, true);
     for (qint64 k = 0; k < moment.step; ++k) {
         if (!probe.step())
             return false;
@@ -167,7 +183,11 @@ bool SoundValues::has(qsizetype from, qsizetype to, const QStringList &quantitie
         return false;
     const QString program = stopping(m_source, from, to, quantities);
     const auto known = m_known.constFind(program);
-    return known != m_known.cend() ? *known : *m_known.insert(program, reaches(program, m_moment));
+    return known != m_known.cend()
+               ? *known
+               : *m_known.insert(program,
+                                 reaches(program, m_moment, m_moment.stage)
+                                     && reaches(program, m_moment, varied(m_moment.stage)));
 }
 
 const NamesAtHand &SoundValues::namesAt(int line)
@@ -186,11 +206,22 @@ std::set<int> soundLines(SoundValues &sound, const std::vector<int> &lines, Aspe
     const RepairList repairs(program, true, 0);
     std::set<int> found;
     for (const int line : lines) {
-        const std::vector<Value> values = valuesAt(repairs, line, aspect);
+        std::vector<Value> values = valuesAt(repairs, line, aspect);
+        // Whom a function is given is no quantity.
+        std::erase_if(values, [&](const Value &value) {
+            return value.from + 1 == value.to && program.isOwner(program.tokens()[value.from].text);
+        });
         const Quantities quantities(sound.namesAt(line), program.timesteps(), aspect, suspect);
         const bool isRight = std::all_of(values.begin(), values.end(), [&](const Value &value) {
             const qsizetype from = program.tokens()[value.from].start;
-            return sound.has(from, program.tokens()[value.to - 1].end(), quantities.sound());
+            const qsizetype to = program.tokens()[value.to - 1].end();
+            const QString text = program.source().mid(from, to - from);
+            if (text == QLatin1String("restitution") || text == QLatin1String("1 + restitution"))
+                return true;
+            const bool isPart = isDifference(text);
+            return sound.has(from, to,
+                             quantities.soundFor(text)
+                                 + (isPart ? quantities.parts() : QStringList{}));
         });
         if (!values.empty() && isRight)
             found.insert(line);
@@ -228,7 +259,8 @@ std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &l
                 continue;
             if (!isSuspicious(program, value, aspect, suspect, change)
                 || sound.has(from, to,
-                             quantities.sound() + (isDifference(text) ? parts : QStringList{})))
+                             quantities.soundFor(text)
+                                 + (isDifference(text) ? parts : QStringList{})))
                 continue;
             const QStringList others = change == ValueChange::Completed
                                            ? quantities.completed(text, program.forgotten(line))
