@@ -23,6 +23,7 @@ private slots:
     void aspectThatCannotBeMeasuredIsNotJudged_data();
     void aspectThatCannotBeMeasuredIsNotJudged();
     void mistakeOfOneAspectDoesNotExplainAnother();
+    void mistakeOfTheStartIsNotSaidOfARightOne();
     void programThatStoppedHasNoWrongStart();
     void wrongStartNamesTheLineThatSetsIt();
     void restitutionOfTheOwnSceneIsNamedBesideOtherFaults();
@@ -245,6 +246,20 @@ void TestFindings::mistakeOfOneAspectDoesNotExplainAnother()
     const CheckReport report = told(QStringLiteral("L42T12"), form);
     QCOMPARE(headlinesOf(report),
              QStringList(text("Hits at the walls turn both circles round too late")));
+}
+
+void TestFindings::mistakeOfTheStartIsNotSaidOfARightOne()
+{
+    // The normal of a scene that was there before on_load, as after a start for a head-on hit.
+    OtherForm form = otherForm(QStringLiteral("L42T11"));
+    const CheckReport right = told(QStringLiteral("L42T11"), form);
+    QVERIFY(right.passed);
+    form.answer.prepend(QStringLiteral("local n = vec(1, 0) "
+                                       "local closing = (p.velocity - q.velocity):dot(n) "));
+    const CheckReport report = told(QStringLiteral("L42T11"), form);
+    QVERIFY(!report.passed);
+    QVERIFY(!report.findings.empty());
+    QCOMPARE(report.findings.front().mistake, QString());
 }
 
 void TestFindings::programThatStoppedHasNoWrongStart()

@@ -41,7 +41,9 @@ bool startsLike(const Preset &own, const Preset &mistake, const Preset &right)
         const Circle &ours = own.circles[i].body;
         const Circle &known = mistake.circles[i].body;
         const Circle &asked = right.circles[i].body;
-        if (!fits(ours.radius, known.radius, asked.radius)
+        if (!fits(ours.position, known.position, asked.position)
+            || !fits(ours.velocity, known.velocity, asked.velocity)
+            || !fits(ours.radius, known.radius, asked.radius)
             || !fits(ours.density, known.density, asked.density))
             return false;
     }
