@@ -48,6 +48,37 @@ void TestAppliedLine::findingMarksTheLine_data()
     rowOfStep("what a function returns", "L42T5", walls, qPrintable(turns),
               qPrintable(QStringLiteral("local function turned(u) return -u * math.abs(u) end\n")
                          + called));
+    const QString answers = QString::fromLatin1(R"lua(function on_load()
+  gravity = vec(0, 0)
+  circle1.position, circle1.velocity = vec(-2, 2), vec(2, 0)
+  circle2.position, circle2.velocity = vec(2, 2), vec(0, 0)
+end
+local function walls(c)
+  local p, v, w = c.position, c.velocity, square.half_width - c.radius
+  if math.abs(p.x) > w and p.x * v.x > 0 then v = vec(-v.x, v.y) end
+  if math.abs(p.y) > w and p.y * v.y > 0 then v = vec(v.x, -v.y) end
+  c.velocity = v
+end
+local function unit(v)
+  if v:length() == 0 then return vec(0, 0) end
+  return v:normalized()
+end
+function on_update(h)
+  for _, c in ipairs(circles) do
+    walls(c)
+    c.position = c.position + c.velocity * h
+  end
+  local a, b = circle1, circle2
+  local d = b.position - a.position
+  if d:length() < a.radius + b.radius and (a.velocity - b.velocity):dot(d) > 0 then
+    a.velocity, b.velocity = b.velocity, a.velocity
+  end
+end
+)lua");
+    rowOfStep("a function that is right", "L42T10", answers,
+              "a.velocity, b.velocity = b.velocity, a.velocity",
+              "a.velocity, b.velocity = unit(a.velocity) * b.velocity:length(), "
+              "unit(b.velocity) * a.velocity:length()");
     row("a margin with a name", frame, "  if d:length() >= a.radius + b.radius then",
         "  local margin = 0.1\n  if d:length() >= a.radius + b.radius + margin then");
 }

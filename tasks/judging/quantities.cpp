@@ -74,25 +74,17 @@ void Quantities::addMotion()
         m_sound += {QStringLiteral("square.half_width - ") + radius,
                     radius + QStringLiteral(" - square.half_width")};
     for (const QString &h : m_timesteps) {
-        const QString kick = QStringLiteral("gravity * %1").arg(h);
-        m_sound += {kick,
-                    QStringLiteral("gravity.x * %1").arg(h),
-                    QStringLiteral("gravity.y * %1").arg(h),
-                    QStringLiteral("0.5 * %1 * %2").arg(kick, h),
-                    QStringLiteral("%1 * %2").arg(kick, h),
-                    QStringLiteral("%1 / 2").arg(kick)};
+        for (const char *kick : {"gravity * %1", "gravity.x * %1", "gravity.y * %1",
+                                 "gravity * %1 / 2", "gravity * %1 ^ 2", "gravity * %1 ^ 2 / 2"})
+            m_sound.append(QString::fromLatin1(kick).arg(h));
         for (const NamedCircle &circle : m_names.circles()) {
             const QString &v = circle.velocity;
-            m_sound += {QStringLiteral("%1 * %2").arg(v, h),
-                        QStringLiteral("%1.x * %2").arg(v, h),
-                        QStringLiteral("%1.y * %2").arg(v, h),
-                        QStringLiteral("%1 + %2").arg(v, kick),
-                        QStringLiteral("%1 + %2 / 2").arg(v, kick),
-                        QStringLiteral("%1.x + gravity.x * %2").arg(v, h),
-                        QStringLiteral("%1.y + gravity.y * %2").arg(v, h),
-                        QStringLiteral("%1 + %2 * %3").arg(circle.position, v, h),
-                        QStringLiteral("%1.x + %2.x * %3").arg(circle.position, v, h),
-                        QStringLiteral("%1.y + %2.y * %3").arg(circle.position, v, h)};
+            for (const char *move :
+                 {"%1 * %2", "%1.x * %2", "%1.y * %2", "%1 + gravity * %2", "%1 + gravity * %2 / 2",
+                  "%1.x + gravity.x * %2", "%1.y + gravity.y * %2"})
+                m_sound.append(QString::fromLatin1(move).arg(v, h));
+            for (const char *end : {"%1 + %2 * %3", "%1.x + %2.x * %3", "%1.y + %2.y * %3"})
+                m_sound.append(QString::fromLatin1(end).arg(circle.position, v, h));
         }
     }
 }
@@ -203,8 +195,9 @@ void Quantities::addHelper(const QStringList &parameters)
     if (!m_names.circles().empty())
         return;
     if (parameters.size() == 1) {
-        m_all += {parameters[0] + QStringLiteral(":length()"),
-                  parameters[0] + QStringLiteral(":normalized()")};
+        m_helpers = {parameters[0] + QStringLiteral(":length()"),
+                     parameters[0] + QStringLiteral(":normalized()")};
+        m_all += m_helpers;
     } else if (parameters.size() == 2) {
         const QString dot = QStringLiteral("%1:dot(%2)").arg(parameters[0], parameters[1]);
         m_all += {dot, QStringLiteral("%1 * %2").arg(dot, parameters[1]),
@@ -232,7 +225,13 @@ QStringList Quantities::soundFor(const QString &value) const
 {
     static const QRegularExpression ofBall(
         QStringLiteral("radius|density|volume|[mM]ass|\\bpi\\b|\\br(ad)?_?\\d?\\b"));
-    return value.contains(ofBall) ? m_sound + m_masses : m_sound;
+    // A number has no length.
+    const bool isOfVectors = std::all_of(
+        m_names.parameters().begin(), m_names.parameters().end(), [&](const QString &name) {
+            return value.contains(name + QLatin1Char('.')) || value.contains(name + u':');
+        });
+    return m_sound + (value.contains(ofBall) ? m_masses : QStringList{})
+           + (isOfVectors ? m_helpers : QStringList{});
 }
 
 QStringList Quantities::sides(const QString &value) const

@@ -45,7 +45,8 @@ private:
     Suspect m_suspect;
     QStringList m_all{};
     QStringList m_sound{};
-    QStringList m_masses{}; ///< of balls, and volumes
+    QStringList m_masses{};  ///< of balls, and volumes
+    QStringList m_helpers{}; ///< of a function of one vector
     QStringList m_parts{};
     QStringList m_across{}; ///< parts of velocities that a hit leaves as they are
 };
