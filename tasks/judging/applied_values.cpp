@@ -209,10 +209,8 @@ std::set<int> AppliedValues::originsOf(const QString &name, bool isField, int li
     }
     if (!found)
         return {};
-    if (found->from < found->to && isHandedOn(m_program, *found) && depth < mostValues) {
-        const std::set<int> behind = originsIn({found->from, found->to}, found->line, depth + 1);
-        return behind;
-    }
+    if (found->from < found->to && isHandedOn(m_program, *found) && depth < mostValues)
+        return originsIn({found->from, found->to}, found->line, depth + 1);
     // Tables and what is nothing yet are filled elsewhere.
     const bool isValue = found->from < found->to || isGivenByCall(*found);
     if (!isValue || m_program.is(found->from, "nil") || m_isSound(found->line))
