@@ -117,7 +117,8 @@ inline QString quantities(const ProgramLines &program)
               << names.masses();
         for (const auto &[aspect, suspect] : valued) {
             const Quantities all(names, program.timesteps(), aspect, suspect);
-            print << all.all() << all.soundFor(QStringLiteral("radius")) << all.parts() << all.sides(QStringLiteral("d"))
+            print << all.all() << all.soundFor(QStringLiteral("radius")) << all.parts()
+                  << all.sides(QStringLiteral("d"))
                   << all.completed(QStringLiteral("v"), program.forgotten(line));
         }
     }
