@@ -47,7 +47,7 @@ int AppliedValues::originOf(int line, bool isQuestion) const
     int at = line;
     for (int k = 0; k < mostValues; ++k) {
         std::set<int> origins;
-        for (const Range &range : appliedAt(at, isQuestion && k == 0))
+        for (const TokenRange &range : appliedAt(at, isQuestion && k == 0))
             origins.merge(originsIn(range, at, 0));
         if (isQuestion && k == 0)
             std::erase_if(origins, [&](int each) { return !givesNumbers(each); });
@@ -74,7 +74,7 @@ std::set<int> AppliedValues::functionsAt(int line) const
 
 /// Whether the value is what stands there already and another that is added to it or taken from
 /// it, that other alone, or what a function makes: nothing is worked out of several.
-bool AppliedValues::isApplied(const Range &range, const ProgramAssignment *target) const
+bool AppliedValues::isApplied(const TokenRange &range, const ProgramAssignment *target) const
 {
     int sums = 0;
     int products = 0;
@@ -117,9 +117,9 @@ std::size_t AppliedValues::afterTarget(std::size_t i, const ProgramAssignment &t
     return i + length;
 }
 
-std::vector<AppliedValues::Range> AppliedValues::appliedAt(int line, bool isQuestion) const
+std::vector<TokenRange> AppliedValues::appliedAt(int line, bool isQuestion) const
 {
-    std::vector<Range> ranges;
+    std::vector<TokenRange> ranges;
     const std::vector<std::size_t> &row = m_program.tokensOf(line);
     if (row.empty())
         return ranges;
@@ -152,7 +152,7 @@ std::vector<AppliedValues::Range> AppliedValues::appliedAt(int line, bool isQues
     return ranges;
 }
 
-std::set<int> AppliedValues::originsIn(const Range &range, int line, int depth) const
+std::set<int> AppliedValues::originsIn(const TokenRange &range, int line, int depth) const
 {
     std::set<int> origins;
     for (std::size_t i = range.from; i < range.to; ++i) {
@@ -200,11 +200,10 @@ std::set<int> AppliedValues::originsOf(const QString &name, bool isField, int li
     for (const ProgramAssignment &each : m_assignments) {
         if (each.name != name || each.isField != isField || each.line == line)
             continue;
-        const ProgramFunction *there = functionAt(m_functions, each.line);
-        const bool isOfStart = !there || there->name == QLatin1String("on_load");
-        const bool isHere = there == here && each.line < line && m_ran.now.contains(each.line);
+        const bool isHere = functionAt(m_functions, each.line) == here && each.line < line
+                            && m_ran.now.contains(each.line);
         const bool wasHere = found && functionAt(m_functions, found->line) == here;
-        if (isHere || (!wasHere && (isOfStart || isField)))
+        if (isHere || (!wasHere && (isOfStart(m_functions, each.line) || isField)))
             found = &each;
     }
     if (!found)
@@ -253,14 +252,9 @@ std::set<int> AppliedValues::originsOfParameter(const ProgramFunction &function,
         for (const std::size_t i : m_program.tokensOf(line)) {
             if (m_program.tokens()[i].text != function.name || !m_program.is(i + 1, "("))
                 continue;
-            std::size_t from = i + 2;
-            for (qsizetype k = 0; k < index && from != 0; ++k) {
-                const std::size_t to = afterExpression(m_program, from);
-                from = m_program.is(to, ",") ? to + 1 : 0;
-            }
-            const std::size_t to = from == 0 ? 0 : afterExpression(m_program, from);
-            if (from < to && depth < mostValues)
-                origins.merge(originsIn({from, to}, line, depth + 1));
+            const std::vector<TokenRange> given = argumentsOf(m_program, i);
+            if (index < static_cast<qsizetype>(given.size()) && depth < mostValues)
+                origins.merge(originsIn(given[static_cast<std::size_t>(index)], line, depth + 1));
         }
     }
     return origins;

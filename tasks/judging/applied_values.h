@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/program_statements.h"
+#include "tasks/judging/program_functions.h"
 #include "tasks/judging/ran_lines.h"
 
 #include <functional>
@@ -27,20 +27,16 @@ public:
     [[nodiscard]] int originOf(int line, bool isQuestion) const;
 
 private:
-    struct Range {
-        std::size_t from;
-        std::size_t to;
-    };
     [[nodiscard]] std::set<int> functionsAt(int line) const;
-    [[nodiscard]] bool isApplied(const Range &range, const ProgramAssignment *target) const;
+    [[nodiscard]] bool isApplied(const TokenRange &range, const ProgramAssignment *target) const;
     [[nodiscard]] std::size_t afterTarget(std::size_t i, const ProgramAssignment &target) const;
     [[nodiscard]] bool givesNumbers(int line) const;
     [[nodiscard]] bool isFlag(const ProgramAssignment &assignment) const;
     [[nodiscard]] bool isGivenByCall(const ProgramAssignment &assignment) const;
-    [[nodiscard]] std::vector<Range> appliedAt(int line, bool isQuestion) const;
+    [[nodiscard]] std::vector<TokenRange> appliedAt(int line, bool isQuestion) const;
     /// The lines in which the values that are taken there were worked out, but for those that are
     /// right; nothing if something is worked out there.
-    [[nodiscard]] std::set<int> originsIn(const Range &range, int line, int depth) const;
+    [[nodiscard]] std::set<int> originsIn(const TokenRange &range, int line, int depth) const;
     [[nodiscard]] std::set<int> originsOf(const QString &name, bool isField, int line,
                                           int depth) const;
     [[nodiscard]] std::set<int> originsOfParameter(const ProgramFunction &function, qsizetype index,

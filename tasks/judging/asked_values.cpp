@@ -36,16 +36,11 @@ bool AskedValues::isOfRadius(std::size_t from, std::size_t to) const
 
 std::optional<AskedValue> AskedValues::valueAt(std::size_t i, int line) const
 {
-    const auto same = [&](int other) {
-        return functionAt(m_functions, other) == functionAt(m_functions, line);
-    };
-    std::optional<AskedValue> found;
-    for (const ProgramAssignment &each : m_assignments) {
-        if (each.name == m_program.tokens()[i].text && !each.isField && each.line < line
-            && m_program.isNewName(each.target) && same(each.line) && !isHandedOn(m_program, each))
-            found = AskedValue{each.line, isOfRadius(each.from, each.to)};
-    }
-    return found;
+    const ProgramAssignment *found =
+        lastAbove(line, m_program.tokens()[i].text, m_program, m_assignments, m_functions,
+                  [&](const ProgramAssignment &each) { return m_program.isNewName(each.target); });
+    return found ? std::optional(AskedValue{found->line, isOfRadius(found->from, found->to)})
+                 : std::nullopt;
 }
 
 std::vector<AskedValue> AskedValues::of(int line) const

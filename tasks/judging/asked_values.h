@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/program_statements.h"
+#include "tasks/judging/program_functions.h"
 
 namespace cradle {
 

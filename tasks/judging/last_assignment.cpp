@@ -4,7 +4,7 @@
 
 #include "tasks/judging/hit_at_moment.h"
 #include "tasks/judging/line_guess.h"
-#include "tasks/judging/program_statements.h"
+#include "tasks/judging/program_functions.h"
 
 #include <algorithm>
 #include <optional>

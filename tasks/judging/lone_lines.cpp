@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/lone_lines.h"
 
+#include "tasks/judging/program_functions.h"
 #include "tasks/judging/program_rows.h"
 
 #include <QRegularExpression>

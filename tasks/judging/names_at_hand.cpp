@@ -55,15 +55,9 @@ QStringList loopNames(const ProgramLines &program, const ProgramFunction *functi
             given.append(program.tokens()[at].text);
         while (at < program.tokens().size() && !program.is(at, "do"))
             ++at;
-        int depth = 0;
-        for (; at < program.tokens().size(); ++at) {
-            if (program.is(at, "do") || program.is(at, "if") || program.is(at, "function")
-                || program.is(at, "repeat"))
-                ++depth;
-            else if ((program.is(at, "end") || program.is(at, "until")) && --depth == 0)
-                break;
-        }
-        const int last = at < program.tokens().size() ? program.tokens()[at].line : program.count();
+        const std::size_t end = endOfBlock(program, at);
+        const int last =
+            end < program.tokens().size() ? program.tokens()[end].line : program.count();
         if (isAround == (own <= line && line <= last))
             names += given;
     }

@@ -114,69 +114,6 @@ std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program)
     return all;
 }
 
-std::vector<ProgramFunction> functionsOf(const ProgramLines &program)
-{
-    std::vector<ProgramFunction> functions;
-    std::vector<std::size_t> open; // of each block its function, from 1; 0 for others
-    for (std::size_t i = 0; i < program.tokens().size(); ++i) {
-        if (program.is(i, "function")) {
-            ProgramFunction function{.first = program.tokens()[i].line, .last = program.count()};
-            std::size_t at = i + 1;
-            for (; at < program.tokens().size() && !program.is(at, "("); ++at)
-                function.name = program.tokens()[at].text;
-            if (function.name.isEmpty() && i > 1 && program.is(i - 1, "="))
-                function.name = program.tokens()[i - 2].text;
-            for (; at < program.tokens().size() && !program.is(at, ")"); ++at) {
-                if (isName(program, at))
-                    function.parameters.append(program.tokens()[at].text);
-            }
-            functions.push_back(function);
-            open.push_back(functions.size());
-        } else if (isOneOf(program, i, {"if", "do", "repeat"})) {
-            open.push_back(0);
-        } else if (isOneOf(program, i, {"end", "until"}) && !open.empty()) {
-            if (open.back() > 0)
-                functions[open.back() - 1].last = program.tokens()[i].line;
-            open.pop_back();
-        }
-    }
-    return functions;
-}
-
-const ProgramFunction *functionAt(const std::vector<ProgramFunction> &functions, int line)
-{
-    const ProgramFunction *innermost = nullptr;
-    for (const ProgramFunction &function : functions) {
-        if (function.first <= line && line <= function.last)
-            innermost = &function;
-    }
-    return innermost;
-}
-
-std::set<int> deadLines(const ProgramLines &program)
-{
-    const std::vector<ProgramFunction> functions = functionsOf(program);
-    std::set<int> dead;
-    for (std::size_t before = dead.size() + 1; before != dead.size();) {
-        before = dead.size();
-        for (const ProgramFunction &function : functions) {
-            const bool isNamed =
-                function.name.isEmpty() || function.name == QLatin1String("on_load")
-                || function.name == QLatin1String("on_update")
-                || std::any_of(program.tokens().begin(), program.tokens().end(),
-                               [&](const ProgramToken &token) {
-                                   const bool isWithin =
-                                       function.first <= token.line && token.line <= function.last;
-                                   return token.text == function.name && !isWithin
-                                          && !dead.contains(token.line);
-                               });
-            for (int line = function.first; !isNamed && line <= function.last; ++line)
-                dead.insert(line);
-        }
-    }
-    return dead;
-}
-
 QStringList copiesOf(const ProgramLines &program, const std::vector<ProgramAssignment> &assignments,
                      const QStringList &fields)
 {

@@ -23,22 +23,6 @@ struct ProgramAssignment {
 /// All of \p program, in order; also what a table begins with.
 [[nodiscard]] std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program);
 
-/// A function of a program, as far as it has a name.
-struct ProgramFunction {
-    QString name{}; ///< the last of it: push of self.push
-    QStringList parameters{};
-    int first = 0; ///< its lines
-    int last = 0;
-};
-
-[[nodiscard]] std::vector<ProgramFunction> functionsOf(const ProgramLines &program);
-/// The innermost in which \p line stands; null if it stands in none.
-[[nodiscard]] const ProgramFunction *functionAt(const std::vector<ProgramFunction> &functions,
-                                                int line);
-
-/// The lines of functions that nothing outside of them names: they never run.
-[[nodiscard]] std::set<int> deadLines(const ProgramLines &program);
-
 /// The names, of variables or in tables, that a radius or a density is copied to.
 [[nodiscard]] QStringList copiesOf(const ProgramLines &program,
                                    const std::vector<ProgramAssignment> &assignments,

@@ -41,15 +41,10 @@ PushOrigin::Taken PushOrigin::takenAt(int line) const
 
 const ProgramAssignment *PushOrigin::assignmentOf(const QString &name, int above) const
 {
-    const ProgramAssignment *found = nullptr;
-    for (const ProgramAssignment &each : m_assignments) {
-        if (each.name == name && !each.isField && each.line < above && m_ran.now.contains(each.line)
-            && each.from < each.to
-            && functionAt(m_functions, each.line) == functionAt(m_functions, above)
-            && !isHandedOn(m_program, each))
-            found = &each;
-    }
-    return found;
+    return lastAbove(above, name, m_program, m_assignments, m_functions,
+                     [&](const ProgramAssignment &each) {
+                         return m_ran.now.contains(each.line) && each.from < each.to;
+                     });
 }
 
 int PushOrigin::workIn(std::size_t from, std::size_t to) const
@@ -107,20 +102,13 @@ std::optional<int> PushOrigin::ofGiven(int line, const std::vector<int> &calls) 
          calls.empty() ? std::vector<std::size_t>{} : m_program.tokensOf(calls.back())) {
         if (m_program.tokens()[i].text != function->name || !m_program.is(i + 1, "("))
             continue;
-        std::size_t from = i + 2;
-        int parameter = 0;
-        const std::size_t end = m_program.afterGroup(i + 1);
-        for (std::size_t at = from; at < end; ++at) {
-            if (m_program.is(at, "(") || m_program.is(at, "[")) {
-                at = m_program.afterGroup(at) - 1;
-            } else if (m_program.is(at, ",") || at + 1 == end) {
-                if (parameter < function->parameters.size()
-                    && names.contains(function->parameters[parameter])) {
-                    given += valuesIn(m_program, from, at);
-                    work = std::max(work, workIn(from, at));
-                }
-                from = at + 1;
-                ++parameter;
+        const std::vector<TokenRange> arguments = argumentsOf(m_program, i);
+        const std::size_t count =
+            std::min(arguments.size(), static_cast<std::size_t>(function->parameters.size()));
+        for (std::size_t k = 0; k < count; ++k) {
+            if (names.contains(function->parameters[static_cast<qsizetype>(k)])) {
+                given += valuesIn(m_program, arguments[k].from, arguments[k].to);
+                work = std::max(work, workIn(arguments[k].from, arguments[k].to));
             }
         }
     }

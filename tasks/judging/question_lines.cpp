@@ -111,15 +111,12 @@ int avoidedLine(const ProgramLines &program, int line, bool verdict)
         ++at;
     const std::size_t then = at + 1;
     std::size_t otherwise = 0;
-    int depth = 0;
-    for (at = then; at < tokens.size(); ++at) {
-        if (program.is(at, "if") || program.is(at, "do") || program.is(at, "function")
-            || program.is(at, "repeat"))
-            ++depth;
-        else if (program.is(at, "else") && depth == 0)
+    for (at = then; at < tokens.size() && !program.is(at, "end") && !program.is(at, "until");
+         ++at) {
+        if (opensBlock(program, at))
+            at = endOfBlock(program, at);
+        else if (program.is(at, "else"))
             otherwise = at + 1;
-        else if ((program.is(at, "end") || program.is(at, "until")) && depth-- == 0)
-            break;
     }
     if (otherwise == 0)
         return 0;

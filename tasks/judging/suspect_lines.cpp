@@ -92,11 +92,8 @@ std::vector<int> suspectLines(const FaultQuery &query)
     const QRegularExpression choice(
         QStringLiteral("\\b(%1)|[\"']").arg(chosen.join(QLatin1Char('|'))));
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
-        const ProgramFunction *function = functionAt(functions, line);
-        if (function && function->name != QLatin1String("on_load"))
-            continue;
-        if (query.aspect == Aspect::Motion && rows[line - 1].contains(choice)
-            && !dead.contains(line)
+        if (isOfStart(functions, line) && query.aspect == Aspect::Motion
+            && rows[line - 1].contains(choice) && !dead.contains(line)
             && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
             add(line);
     }

@@ -3,6 +3,7 @@
 #include "tasks/judging/telling_lines.h"
 
 #include "tasks/judging/lone_lines.h"
+#include "tasks/judging/program_functions.h"
 #include "tasks/judging/program_rows.h"
 
 #include <QRegularExpression>
@@ -87,10 +88,6 @@ int earlyLine(const ProgramLines &program, const QStringList &fields)
 {
     const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
     const std::vector<ProgramFunction> functions = functionsOf(program);
-    const auto isOfStart = [&](int line) {
-        const ProgramFunction *function = functionAt(functions, line);
-        return !function || function->name == QLatin1String("on_load");
-    };
     const auto takes = [&](int line, const QString &field) {
         return program.row(line).contains(
             QRegularExpression(QStringLiteral("\\b%1\\b").arg(field)));
@@ -113,13 +110,13 @@ int earlyLine(const ProgramLines &program, const QStringList &fields)
         return false;
     };
     for (const ProgramAssignment &value : assignments) {
-        if (!isOfStart(value.line) || fields.contains(value.name))
+        if (!isOfStart(functions, value.line) || fields.contains(value.name))
             continue;
         const auto isSetLater = [&](const QString &field) {
             return isOf(value, field)
                    && std::any_of(assignments.begin(), assignments.end(), [&](const auto &each) {
                           return each.name == field && each.line > value.line
-                                 && isOfStart(each.line);
+                                 && isOfStart(functions, each.line);
                       });
         };
         if (std::any_of(fields.begin(), fields.end(), isSetLater))
@@ -153,14 +150,13 @@ int startLine(const ProgramLines &program, int line)
     const auto &row = program.tokensOf(line);
     int found = 0;
     for (const ProgramAssignment &each : assignmentsOf(program)) {
-        const ProgramFunction *function = functionAt(functions, each.line);
-        const bool isOfStart = !function || function->name == QLatin1String("on_load");
         const bool isTaken = std::any_of(row.begin(), row.end(), [&](std::size_t i) {
             const bool isField = i > 0 && program.is(i - 1, ".");
             return program.tokens()[i].text == each.name && isField == each.isField;
         });
-        if (!isOfStart || !isTaken || isNumber(program, each) || each.from == each.to
-            || program.is(each.from, "nil") || given.contains(each.name) || each.line == found)
+        if (!isOfStart(functions, each.line) || !isTaken || isNumber(program, each)
+            || each.from == each.to || program.is(each.from, "nil") || given.contains(each.name)
+            || each.line == found)
             continue;
         if (found != 0)
             return 0;
