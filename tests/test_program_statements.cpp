@@ -13,10 +13,6 @@ class TestProgramStatements : public QObject
 private slots:
     void assignmentsAreFound_data();
     void assignmentsAreFound();
-    void functionsAreFound();
-    void innermostFunctionIsTold();
-    void unusedFunctionsAreDead_data();
-    void unusedFunctionsAreDead();
     void copiesAreFound_data();
     void copiesAreFound();
     void valuesAreNamedOnce_data();
@@ -32,14 +28,6 @@ QString textOf(const ProgramLines &program, std::size_t from, std::size_t to)
     for (std::size_t i = from; i < to; ++i)
         words.append(program.tokens()[i].text);
     return words.join(QLatin1Char(' '));
-}
-
-QStringList lines(const std::set<int> &all)
-{
-    QStringList numbers;
-    for (const int line : all)
-        numbers.append(QString::number(line));
-    return numbers;
 }
 
 } // namespace
@@ -91,72 +79,6 @@ void TestProgramStatements::assignmentsAreFound()
         QCOMPARE(each.name, program.tokens()[each.last].text);
     }
     QCOMPARE(is.join(QLatin1Char('|')), found);
-}
-
-void TestProgramStatements::functionsAreFound()
-{
-    const QString source = QStringLiteral("local function move(c, h)\n"       // 1
-                                          "  if c then\n"                     // 2
-                                          "    for i = 1, 2 do f(i) end\n"    // 3
-                                          "  end\n"                           // 4
-                                          "end\n"                             // 5
-                                          "function self.push(v) v = 1 end\n" // 6
-                                          "local turn = function(a, b)\n"     // 7
-                                          "  repeat a = b until a\n"          // 8
-                                          "  while a do b() end\n"            // 9
-                                          "end\n"                             // 10
-                                          "each(function(x)\n"                // 11
-                                          "  return x\n"                      // 12
-                                          "end)\n"                            // 13
-                                          "function open()\n");               // 14
-    const ProgramLines program(source);
-    QStringList is;
-    for (const ProgramFunction &each : functionsOf(program))
-        is.append(QStringLiteral("%1(%2) %3-%4")
-                      .arg(each.name, each.parameters.join(QLatin1Char(',')))
-                      .arg(each.first)
-                      .arg(each.last));
-    QCOMPARE(is, (QStringList{QStringLiteral("move(c,h) 1-5"), QStringLiteral("push(v) 6-6"),
-                              QStringLiteral("turn(a,b) 7-10"), QStringLiteral("(x) 11-13"),
-                              QStringLiteral("open() 14-15")}));
-}
-
-void TestProgramStatements::innermostFunctionIsTold()
-{
-    const QString source = QStringLiteral("x = 1\nfunction outer()\n  local inner = function()\n"
-                                          "    y = 2\n  end\n  z = 3\nend\nw = 4");
-    const auto functions = functionsOf(ProgramLines(source));
-    const char *expected[] = {"", "outer", "inner", "inner", "inner", "outer", "outer", ""};
-    for (int line = 1; line <= 8; ++line) {
-        const ProgramFunction *function = functionAt(functions, line);
-        QCOMPARE(function ? function->name : QString(), QLatin1String(expected[line - 1]));
-    }
-}
-
-void TestProgramStatements::unusedFunctionsAreDead_data()
-{
-    QTest::addColumn<QString>("source");
-    QTest::addColumn<QString>("dead");
-    QTest::newRow("used") << "function a()\nend\nfunction on_update(h)\n  a()\nend"
-                          << "";
-    QTest::newRow("unused") << "function a()\nend\nfunction on_update(h)\nend"
-                            << "1|2";
-    QTest::newRow("only by itself") << "function a()\n  a()\nend\nfunction on_load()\nend"
-                                    << "1|2|3";
-    QTest::newRow("only by a dead one")
-        << "function a()\nend\nfunction b()\n  a()\nend\nfunction on_load()\nend"
-        << "1|2|3|4|5";
-    QTest::newRow("without a name") << "each(function()\n  x = 1\nend)"
-                                    << "";
-    QTest::newRow("given on") << "local a = function()\nend\non_update = a"
-                              << "";
-}
-
-void TestProgramStatements::unusedFunctionsAreDead()
-{
-    QFETCH(QString, source);
-    QFETCH(QString, dead);
-    QCOMPARE(lines(deadLines(ProgramLines(source))).join(QLatin1Char('|')), dead);
 }
 
 void TestProgramStatements::copiesAreFound_data()

@@ -91,7 +91,7 @@ std::size_t endOfBlock(const ProgramLines &program, std::size_t i)
 std::vector<TokenRange> argumentsOf(const ProgramLines &program, std::size_t i)
 {
     std::vector<TokenRange> given;
-    for (std::size_t from = i + 2; program.is(i + 1, "(");) {
+    for (std::size_t from = i + 2; program.is(i + 1, "(") && !program.is(from, ")");) {
         const std::size_t to = afterExpression(program, from);
         if (to == from)
             break;
