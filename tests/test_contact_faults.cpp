@@ -74,6 +74,12 @@ void addCollisions()
            "At step 3 the velocity of circle 2 changed from (0, 0) to (0, 1) m/s although it "
            "touched neither a wall nor the other circle, from whose rim it was still 1.3 m away",
            3, 0.0, 1.3, "m");
+    addRow("one turns when they have moved apart", pair("collides"),
+           drift({{.position = {-1, 0}, .velocity = {-1, 0}}, {.position = {1, 0}}},
+                 leave({-1, 0}, {1, 0}, 3)),
+           "At step 3 the velocity of circle 2 changed from (0, 0) to (1, 0) m/s although the "
+           "circles were moving apart, with 1.8 m between their rims",
+           3, 0.0, 1.8, "m");
     addRow("one does not fall", pair("collides"),
            drift(apart(), {{2, [](Circles &c) { c[1].velocity.y += 0.1; }}}, 1.0, {0, -1}),
            "At step 2 the velocity of circle 2 went from (0, -0.1) to (0, -0.1) m/s although it "

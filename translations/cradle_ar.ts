@@ -1199,6 +1199,14 @@
         <source>At step %1 circle %2 was put %4 m along the %3 beside the ways that its velocities before and after it take it; a wall should move it inward only, or back</source>
         <translation>في الخطوة ⁨%1⁩ وُضعت الدائرة ⁨%2⁩ على بعد ⁦%4 m⁩ على امتداد ⁨%3⁩ جانبًا عن المسارات التي تأخذها فيها سرعتاها قبله وبعده؛ ينبغي أن يزيحها الجدار إلى الداخل فقط، أو أن تعود من حيث جاءت</translation>
     </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims</source>
+        <translation>في الخطوة ⁨%1⁩ تغيّرت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أن الدائرتين كانتا تتباعدان وبين حافتيهما ⁦%5 m⁩</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims; %6 m/s is right</source>
+        <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أن الدائرتين كانتا تتباعدان وبين حافتيهما ⁦%5 m⁩؛ والصحيح ⁦%6 m/s⁩</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>

@@ -1191,6 +1191,14 @@
         <source>At step %1 circle %2 was put %4 m along the %3 beside the ways that its velocities before and after it take it; a wall should move it inward only, or back</source>
         <translation>In Schritt %1 wurde Kreis %2 um %4 m entlang von %3 neben die Wege gesetzt, die ihn seine Geschwindigkeiten davor und danach bringen; eine Wand soll ihn nur nach innen versetzen, oder zurück</translation>
     </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims</source>
+        <translation>In Schritt %1 änderte sich die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl die Kreise sich voneinander entfernten, mit %5 m zwischen ihren Rändern</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims; %6 m/s is right</source>
+        <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl die Kreise sich voneinander entfernten, mit %5 m zwischen ihren Rändern; richtig sind %6 m/s</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>

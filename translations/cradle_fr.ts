@@ -1191,6 +1191,14 @@
         <source>At step %1 circle %2 was put %4 m along the %3 beside the ways that its velocities before and after it take it; a wall should move it inward only, or back</source>
         <translation>Au pas %1, le cercle %2 a été placé, contre %3, à %4 m sur le côté des chemins où l&apos;amènent ses vitesses avant et après&#xa0;; une paroi ne doit le déplacer que vers l&apos;intérieur, ou en arrière</translation>
     </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 changed from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est passée de %3 à %4 m/s alors que les cercles s&apos;éloignaient, avec %5 m entre leurs bords</translation>
+    </message>
+    <message>
+        <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims; %6 m/s is right</source>
+        <translation>Au pas %1, la vitesse du cercle %2 est allée de %3 à %4 m/s alors que les cercles s&apos;éloignaient, avec %5 m entre leurs bords&#xa0;; %6 m/s est juste</translation>
+    </message>
 </context>
 <context>
     <name>CircleClipboard</name>

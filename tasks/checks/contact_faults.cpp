@@ -34,8 +34,20 @@ Fault tooEarly(const ContactAnswer &answer)
     const Vec2 before = o.circle(who, k).velocity;
     const Vec2 after = o.circle(who, k + 1).velocity;
     const Vec2 asked = before + o.timestep() * gravity;
+    const Circle &a = o.circle(answer.a, k);
+    const Circle &b = o.circle(answer.b, k);
+    // After a hit they may well have touched: they are apart again.
+    const bool isParting = dot(b.position - a.position, b.velocity - a.velocity) > 0.0;
     const QString text =
-        gravity == Vec2{}
+        isParting && gravity == Vec2{}
+            ? ContactText::tr("At step %1 the velocity of circle %2 changed from %3 to %4 m/s "
+                              "although the circles were moving apart, with %5 m between their "
+                              "rims")
+        : isParting
+            ? ContactText::tr("At step %1 the velocity of circle %2 went from %3 to %4 m/s "
+                              "although the circles were moving apart, with %5 m between their "
+                              "rims; %6 m/s is right")
+        : gravity == Vec2{}
             ? ContactText::tr("At step %1 the velocity of circle %2 changed from %3 to %4 m/s "
                               "although it touched neither a wall nor the other circle, from whose "
                               "rim it was still %5 m away")
