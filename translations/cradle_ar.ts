@@ -5540,6 +5540,18 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>With ρ = %1 what comes back is %2 times the speed, with ρ = %3 it is %4 times; %5 is right.</source>
         <translation>مع ρ = %1 يعود %2 ضعفًا من السرعة، ومع ρ = %3 يعود %4؛ والصحيح %5.</translation>
     </message>
+    <message>
+        <source>The first step of the hit, of %1 s, left them with %2, step %3 of it with %4; %5 are right, from the first on.</source>
+        <translation>تركتهما الخطوة الأولى من التصادم، وطولها %1 s، بـ %2، والخطوة %3 منه بـ %4؛ والصحيح %5، من الأولى فصاعدًا.</translation>
+    </message>
+    <message>
+        <source>A hit takes no time: all that it changes is due in the step in which they touch.</source>
+        <translation>التصادم لا يستغرق وقتًا: كل ما يغيّره يقع في الخطوة التي تتلامسان فيها.</translation>
+    </message>
+    <message>
+        <source>The push of a hit is spread over several steps</source>
+        <translation>دفع التصادم موزَّع على عدة خطوات</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5464,6 +5464,18 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>With ρ = %1 what comes back is %2 times the speed, with ρ = %3 it is %4 times; %5 is right.</source>
         <translation>Mit ρ = %1 kommt das %2-fache der Geschwindigkeit zurück, mit ρ = %3 das %4-fache; %5 ist richtig.</translation>
     </message>
+    <message>
+        <source>The first step of the hit, of %1 s, left them with %2, step %3 of it with %4; %5 are right, from the first on.</source>
+        <translation>Der erste Schritt des Stoßes, von %1 s, ließ ihnen %2, sein Schritt %3 %4; richtig sind %5, und zwar vom ersten an.</translation>
+    </message>
+    <message>
+        <source>A hit takes no time: all that it changes is due in the step in which they touch.</source>
+        <translation>Ein Stoß braucht keine Zeit: Alles, was er ändert, gehört in den Schritt, in dem sie sich berühren.</translation>
+    </message>
+    <message>
+        <source>The push of a hit is spread over several steps</source>
+        <translation>Der Kraftstoß eines Stoßes verteilt sich auf mehrere Schritte</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5464,6 +5464,18 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>With ρ = %1 what comes back is %2 times the speed, with ρ = %3 it is %4 times; %5 is right.</source>
         <translation>Avec ρ = %1, il revient %2 fois la vitesse, avec ρ = %3 %4 fois&#xa0;; %5 est juste.</translation>
     </message>
+    <message>
+        <source>The first step of the hit, of %1 s, left them with %2, step %3 of it with %4; %5 are right, from the first on.</source>
+        <translation>Le premier pas du choc, de %1 s, leur a laissé %2, son pas %3 %4&#xa0;; %5 sont justes, dès le premier.</translation>
+    </message>
+    <message>
+        <source>A hit takes no time: all that it changes is due in the step in which they touch.</source>
+        <translation>Un choc ne dure pas&#xa0;: tout ce qu&apos;il change est dû dans le pas où ils se touchent.</translation>
+    </message>
+    <message>
+        <source>The push of a hit is spread over several steps</source>
+        <translation>La poussée d&apos;un choc s&apos;étale sur plusieurs pas</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

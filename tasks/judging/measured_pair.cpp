@@ -233,6 +233,7 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
     if (range.isUsual()) {
         own = range.own();
         inSteps = range.inSteps(equalMeeting(asked), e);
+        spread = range.spread(inSteps.front());
     }
     range.meetAgain(*this);
     // Small enough to tell e from what it was multiplied with.
@@ -330,6 +331,8 @@ bool MeasuredPair::responseIsLike(const MeasuredPair &other) const
         return false;
     if (own && !partsAlike(own->leftParts(), other.own->leftParts())
         && length(own->left1 - other.own->left1) + length(own->left2 - other.own->left2) > 0.1)
+        return false;
+    if (spread.has_value() != other.spread.has_value())
         return false;
     if (later && other.later && later->isFirstOdd() != other.later->isFirstOdd())
         return false;

@@ -99,6 +99,13 @@ struct PairHit {
     [[nodiscard]] double rebound() const;
 };
 
+/// A push that is not over after the first step with one, head-on: in later steps, in which they
+/// come nearer no more, too, and not by the same share of the speed.
+struct SpreadPush {
+    PairHit first{}; ///< step with a push
+    PairHit last{};  ///< came with that, and left as the last step with a push makes it
+};
+
 /// Two hits of the same circles one after the other.
 struct LaterHit {
     PairHit first{};
@@ -161,12 +168,13 @@ struct MeasuredPair {
     std::vector<PairHit> densities{}; ///< one is denser
     std::vector<PairHit> rebounds{};  ///< the other values of e
     std::vector<PairHit> inSteps{};   ///< head-on, early and late in a step, and in a short one
-    std::vector<PairHit> partings{};  ///< they overlap and move apart: nothing should happen
-    std::optional<PairHit> twice{};   ///< they met, move apart, and are hit again
-    std::optional<PairHit> own{};     ///< the first hit of the student's own scene
-    int ownContacts = 0;              ///< how often they meet again when a wall sends one back
-    bool ranThrough = false;          ///< and whether it ran through the other then
-    bool ranThroughAtOnce = false;    ///< only from so near a wall that it is back at once
+    std::optional<SpreadPush> spread{};
+    std::vector<PairHit> partings{}; ///< they overlap and move apart: nothing should happen
+    std::optional<PairHit> twice{};  ///< they met, move apart, and are hit again
+    std::optional<PairHit> own{};    ///< the first hit of the student's own scene
+    int ownContacts = 0;             ///< how often they meet again when a wall sends one back
+    bool ranThrough = false;         ///< and whether it ran through the other then
+    bool ranThroughAtOnce = false;   ///< only from so near a wall that it is back at once
     /// What became of a run that begins just before it ran through, if it did.
     std::optional<PairHit> ranThroughAnew{};
     std::vector<PairHit> varied{};      ///< where some are missed: thrown in many ways

@@ -20,7 +20,8 @@ public:
 
     [[nodiscard]] ConditionedAspect judge(Aspect aspect)
     {
-        if (judgePair(aspect))
+        // One push would count as several hits.
+        if (spreadDeviation(m_own.pair(), m_right.pair()) || judgePair(aspect))
             return std::move(m_said);
         if (aspect == Aspect::Response) {
             m_said.deviations = HitKinds(*this).judge(std::move(m_said.deviations));

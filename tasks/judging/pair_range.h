@@ -64,6 +64,10 @@ public:
     /// late in the other, and in a very short one.
     [[nodiscard]] std::vector<PairHit> inSteps(Meeting meeting, double restitution) const;
 
+    /// Whether the push of \p model, a hit in steps of the usual length, goes on over several of
+    /// them; nothing if it is over after the first with one, or later ones are by the same law.
+    [[nodiscard]] std::optional<SpreadPush> spread(const PairHit &model) const;
+
     /// The same meeting in one long run, here and there, early and late.
     /// \param model  what look() shows of it at the start of a run
     [[nodiscard]] std::vector<PairOccasion> again(const PairHit &model) const;

@@ -11,6 +11,27 @@
 
 namespace cradle {
 
+QString leftBeside(const PairHit &hit, const PairHit &other)
+{
+    const auto part = [](const PairHit &one, Vec2 velocity) {
+        return one.seenPart(dot(velocity, one.normal));
+    };
+    return ResponseText::tr("%1 and %2 m/s")
+        .arg(briefBeside(part(hit, hit.left1), part(other, other.left1)),
+             briefBeside(part(hit, hit.left2), part(other, other.left2)));
+}
+
+QString cameTogether(const PairHit &hit, bool isOfE)
+{
+    const Meeting &m = hit.meeting;
+    const QString one = brief(m.velocities.along1);
+    const QString two = brief(m.velocities.along2);
+    return isOfE ? ResponseText::tr("Two equal circles met head-on with %1 and %2 m/s; e was %3.")
+                       .arg(one, two, brief(m.restitution))
+                 : ResponseText::tr("Two equal circles met head-on with %1 and %2 m/s.")
+                       .arg(one, two);
+}
+
 namespace {
 
 /// Of a step, before the rims touch in it.
@@ -50,29 +71,6 @@ bool isOfNormal(const std::vector<PairHit> &own, const std::vector<PairHit> &rig
         return true;
     };
     return holds(1.0) || holds(2.0);
-}
-
-/// What both had along the line of centres after \p hit; enough digits to tell \p other from it.
-QString leftBeside(const PairHit &hit, const PairHit &other)
-{
-    const auto part = [](const PairHit &one, Vec2 velocity) {
-        return one.seenPart(dot(velocity, one.normal));
-    };
-    return ResponseText::tr("%1 and %2 m/s")
-        .arg(briefBeside(part(hit, hit.left1), part(other, other.left1)),
-             briefBeside(part(hit, hit.left2), part(other, other.left2)));
-}
-
-/// How \p hit came, and with which e where that counts.
-QString cameTogether(const PairHit &hit, bool isOfE)
-{
-    const Meeting &m = hit.meeting;
-    const QString one = brief(m.velocities.along1);
-    const QString two = brief(m.velocities.along2);
-    return isOfE ? ResponseText::tr("Two equal circles met head-on with %1 and %2 m/s; e was %3.")
-                       .arg(one, two, brief(m.restitution))
-                 : ResponseText::tr("Two equal circles met head-on with %1 and %2 m/s.")
-                       .arg(one, two);
 }
 
 /// That an answer is another one where the rims touch early in a step than where they do so late.

@@ -58,6 +58,13 @@ struct SizeOfPush {
 /// \param isElseRight  in very short steps hits come out right
 [[nodiscard]] std::optional<LawDeviation>
 steppedDeviation(const MeasuredPair &own, const MeasuredPair &right, bool isElseRight);
+/// That the push of a hit goes on over several steps, and is not right after the first.
+[[nodiscard]] std::optional<LawDeviation> spreadDeviation(const MeasuredPair &own,
+                                                          const MeasuredPair &right);
+/// How \p hit came, head-on, and with which e where that counts.
+[[nodiscard]] QString cameTogether(const PairHit &hit, bool isOfE);
+/// What both had along the line of centres after \p hit; enough digits to tell \p other from it.
+[[nodiscard]] QString leftBeside(const PairHit &hit, const PairHit &other);
 /// That the push has another size in steps of the usual length than in very short ones, by a normal
 /// that is shorter the deeper they overlap.
 [[nodiscard]] std::optional<LawDeviation> overlapDeviation(const MeasuredPair &own,

@@ -264,6 +264,8 @@ std::vector<LawDeviation> responseDeviations(const MeasuredPair &own, const Meas
     const auto answered = [](const PairHit &hit) { return hit.isMet(); };
     if (!right.isJudged || !ground.pair.asked)
         return {};
+    if (auto spread = own.areOfParting ? std::nullopt : spreadDeviation(own, right))
+        return {std::move(*spread)};
     // Equal circles may then keep their velocities, or stop the program: by what it divides them.
     if (auto uneven = own.areOfParting ? std::nullopt : unevenDeviation(own, right))
         return {std::move(*uneven)};
