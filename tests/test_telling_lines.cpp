@@ -71,6 +71,14 @@ void TestTellingLines::lineIsTold_data()
         "local function size(c) return c.radius ^ 3 end\nfunction on_load()\n  m = size(b)\n  "
         "b.radius = 0.4\nend",
         3);
+    row("of radii in a table, too early", Suspect::Copy,
+        "local far = { a.radius, b.radius }\nfunction on_load()\n  b.radius = 0.4\nend", 1);
+    row("above on_load in time, not in text", Suspect::Copy,
+        "function on_load()\n  b.radius = 0.4\nend\nlocal far = a.radius + b.radius", 4);
+    row("of a radius in a function that is only made", Suspect::Copy,
+        "local function maker(c)\n  return function()\n    return c.radius\n  end\nend\n"
+        "local size = maker(b)\nlocal far = b.radius\nfunction on_load()\n  b.radius = 0.4\nend",
+        7);
     row("in every step", Suspect::Copy,
         "function on_update()\n  far = a.radius\nend\nfunction on_load()\n  a.radius = 1\nend", 0);
     row("more than a copy", Suspect::Copy, "g = gravity.y * 2\nh = gravitation", 0);

@@ -5541,6 +5541,18 @@ In a step that would have brought their centres to %2 m from each other, where r
         <translation>مع ρ = %1 يعود %2 ضعفًا من السرعة، ومع ρ = %3 يعود %4؛ والصحيح %5.</translation>
     </message>
     <message>
+        <source>In your own scene circle %1 turns too late at the walls</source>
+        <translation>في مشهدك ترتدّ الدائرة ⁨%1⁩ عند الجدران متأخرة</translation>
+    </message>
+    <message>
+        <source>In your own scene circle %1 turns too early at the walls</source>
+        <translation>في مشهدك ترتدّ الدائرة ⁨%1⁩ عند الجدران مبكرة</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and at the %2 it turned in a step that would have brought its centre from %3 to %4 m from the wall. In scenes that have their radii before your program begins it turns in time. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>نصف قطرها ⁦%1 m⁩، وعند ⁨%2⁩ ارتدّت في خطوة كانت ستنقل مركزها من ⁨%3⁩ إلى ⁦%4 m⁩ من الجدار. في المشاهد التي تكون أنصاف الأقطار فيها معطاة قبل أن يبدأ برنامجك ترتدّ في الوقت الصحيح. انظر متى يقرأ برنامجك أنصاف الأقطار: ما يُقرأ قبل أن يضبطها `on_load` قيمة قديمة.</translation>
+    </message>
+    <message>
         <source>The first step of the hit, of %1 s, left them with %2, step %3 of it with %4; %5 are right, from the first on.</source>
         <translation>تركتهما الخطوة الأولى من التصادم، وطولها %1 s، بـ %2، والخطوة %3 منه بـ %4؛ والصحيح %5، من الأولى فصاعدًا.</translation>
     </message>

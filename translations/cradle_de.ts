@@ -5465,6 +5465,18 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <translation>Mit ρ = %1 kommt das %2-fache der Geschwindigkeit zurück, mit ρ = %3 das %4-fache; %5 ist richtig.</translation>
     </message>
     <message>
+        <source>In your own scene circle %1 turns too late at the walls</source>
+        <translation>In deiner eigenen Szene kehrt Kreis %1 an den Wänden zu spät um</translation>
+    </message>
+    <message>
+        <source>In your own scene circle %1 turns too early at the walls</source>
+        <translation>In deiner eigenen Szene kehrt Kreis %1 an den Wänden zu früh um</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and at the %2 it turned in a step that would have brought its centre from %3 to %4 m from the wall. In scenes that have their radii before your program begins it turns in time. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>Sein Radius ist %1 m, und an %2 kehrte er in einem Schritt um, der seinen Mittelpunkt von %3 auf %4 m an die Wand gebracht hätte. In Szenen, deren Radien schon vor dem Beginn deines Programms feststehen, kehrt er rechtzeitig um. Sieh nach, wann dein Programm die Radien liest: Was gelesen wird, bevor `on_load` sie setzt, ist ein alter Wert.</translation>
+    </message>
+    <message>
         <source>The first step of the hit, of %1 s, left them with %2, step %3 of it with %4; %5 are right, from the first on.</source>
         <translation>Der erste Schritt des Stoßes, von %1 s, ließ ihnen %2, sein Schritt %3 %4; richtig sind %5, und zwar vom ersten an.</translation>
     </message>

@@ -5465,6 +5465,18 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <translation>Avec ρ = %1, il revient %2 fois la vitesse, avec ρ = %3 %4 fois&#xa0;; %5 est juste.</translation>
     </message>
     <message>
+        <source>In your own scene circle %1 turns too late at the walls</source>
+        <translation>Dans votre propre scène, le cercle %1 fait demi-tour trop tard aux parois</translation>
+    </message>
+    <message>
+        <source>In your own scene circle %1 turns too early at the walls</source>
+        <translation>Dans votre propre scène, le cercle %1 fait demi-tour trop tôt aux parois</translation>
+    </message>
+    <message>
+        <source>Its radius is %1 m, and at the %2 it turned in a step that would have brought its centre from %3 to %4 m from the wall. In scenes that have their radii before your program begins it turns in time. Look at when your program reads the radii: what is read before `on_load` sets them is an old value.</source>
+        <translation>Son rayon est de %1 m, et contre %2 il a fait demi-tour dans un pas qui aurait amené son centre de %3 à %4 m de la paroi. Dans des scènes dont les rayons sont déjà là avant le début de votre programme, il fait demi-tour à temps. Regardez quand votre programme lit les rayons&#xa0;: ce qui est lu avant que `on_load` les fixe est une ancienne valeur.</translation>
+    </message>
+    <message>
         <source>The first step of the hit, of %1 s, left them with %2, step %3 of it with %4; %5 are right, from the first on.</source>
         <translation>Le premier pas du choc, de %1 s, leur a laissé %2, son pas %3 %4&#xa0;; %5 sont justes, dès le premier.</translation>
     </message>

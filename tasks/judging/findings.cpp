@@ -150,11 +150,14 @@ private:
             m_found->addToStart(deviation);
     }
 
-    /// That walls are right but in the own scene, where e is asked for.
+    /// That walls are right but in the own scene: the radii there, and e where it is asked for.
     void takeOwnWalls()
     {
-        if (m_ground.walls.restitutions.size() < 2 || m_own.walls().judged.empty()
-            || !m_found->all().empty())
+        if (m_own.walls().judged.empty() || !m_found->all().empty())
+            return;
+        if (const auto old = ownWallRadius(m_task, m_runs, m_checks))
+            return take(Aspect::Walls, {*old});
+        if (m_ground.walls.restitutions.size() < 2)
             return;
         if (const auto other = ownWallShare(m_task, m_runs, m_checks))
             take(Aspect::Walls, {*other});

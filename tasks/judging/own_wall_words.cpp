@@ -114,23 +114,114 @@ LawDeviation otherShares(const std::vector<WallRebound> &all, const WallRebound 
             isKept ? Suspect::Copy : Suspect::Formula};
 }
 
+/// The runs of the own scene in which a failed check of walls looks.
+std::vector<const Observation *> failedRuns(const Task &task, SubmissionRuns &runs,
+                                            const std::vector<CheckOutcome> &checks)
+{
+    std::vector<const Observation *> all;
+    for (const CheckSpec &check : task.checks) {
+        const bool hasFailed =
+            std::any_of(checks.begin(), checks.end(), [&](const CheckOutcome &outcome) {
+                return outcome.id == check.id && !outcome.passed;
+            });
+        if (!hasFailed || check.kind != QLatin1String("bounces") || !showsOwnScene(check))
+            continue;
+        const CheckPlan plan = planOf(check, runs.submission().preset, task.locked, 1);
+        if (!plan.variants.empty())
+            all.push_back(&runs.of(plan.variants.front()));
+    }
+    return all;
+}
+
+/// A step in which a circle turned round at a wall: how far from it the centre was at its start,
+/// and would have come without the wall, m.
+struct WallTurn {
+    qint64 step = 0;
+    Wall wall = Wall::Bottom;
+    double before = 0.0;
+    double reached = 0.0;
+
+    /// Whether a rim at \p radius from the centre comes to the wall in this step.
+    [[nodiscard]] bool fits(double radius) const
+    {
+        return reached - motion::samePosition <= radius && radius <= before + motion::samePosition;
+    }
+};
+
+/// Those of circle \p i, far from other circles and no farther from the wall than \p most, m.
+std::vector<WallTurn> wallTurnsOf(const Observation &o, int i, double most)
+{
+    std::vector<WallTurn> all;
+    const Preset &scene = o.variant.preset;
+    for (qint64 k = 0; k < o.steps(); ++k) {
+        const Circle &now = o.circle(i, k);
+        const Vec2 free = now.velocity + o.timestep() * scene.gravity;
+        for (const Wall wall : allWalls) {
+            const Vec2 n = outwardNormal(wall);
+            const double before = scene.halfWidth - dot(n, now.position);
+            const double way = motion::travel(o, i, k, scene.gravity);
+            if (dot(free, n) <= 0.0 || dot(o.circle(i, k + 1).velocity, n) >= 0.0
+                || before > most + way || motion::isNearCircle(o, i, k, scene.gravity))
+                continue;
+            all.push_back({k + 1, wall, before, before - way});
+        }
+    }
+    return all;
+}
+
+/// That circle \p i of \p o turns where the radius \p old brings it.
+std::optional<LawDeviation> oldRadius(const Observation &o, int i, double old, const Preset &scene)
+{
+    const double radius = o.circle(i, 0).radius;
+    const std::vector<WallTurn> turns = wallTurnsOf(o, i, std::max(old, radius));
+    const auto wrong = std::find_if(turns.begin(), turns.end(),
+                                    [&](const WallTurn &turn) { return !turn.fits(radius); });
+    if (wrong == turns.end() || !std::all_of(turns.begin(), turns.end(), [&](const WallTurn &turn) {
+            return turn.fits(old);
+        }))
+        return std::nullopt;
+    const QString headline =
+        (old < radius ? WallText::tr("In your own scene circle %1 turns too late at the walls")
+                      : WallText::tr("In your own scene circle %1 turns too early at the walls"))
+            .arg(i + 1);
+    const QString body =
+        WallText::tr("Its radius is %1 m, and at the %2 it turned in a step that would have "
+                     "brought its centre from %3 to %4 m from the wall. In scenes that have their "
+                     "radii before your program begins it turns in time. Look at when your program "
+                     "reads the radii: what is read before `on_load` sets them is an old value.")
+            .arg(brief(radius), motion::wallName(wrong->wall), brief(wrong->before),
+                 brief(wrong->reached));
+    return LawDeviation{Aspect::Walls,
+                        headline + QStringLiteral("\n\n") + body,
+                        {{scene, false}, wrong->step, {i}, false},
+                        Suspect::Copy};
+}
+
 } // namespace
+
+std::optional<LawDeviation> ownWallRadius(const Task &task, SubmissionRuns &runs,
+                                          const std::vector<CheckOutcome> &checks)
+{
+    if (failsElsewhere(task, checks))
+        return std::nullopt;
+    const Preset &scene = runs.submission().preset;
+    for (const Observation *run : failedRuns(task, runs, checks)) {
+        for (int i = 0; !run->error && i < run->circleCount(); ++i) {
+            const double old = scene.circles[static_cast<std::size_t>(i)].body.radius;
+            auto found =
+                old != run->circle(i, 0).radius ? oldRadius(*run, i, old, scene) : std::nullopt;
+            if (found)
+                return found;
+        }
+    }
+    return std::nullopt;
+}
 
 std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,
                                          const std::vector<CheckOutcome> &checks)
 {
-    for (const CheckSpec &check : task.checks) {
-        const auto failed =
-            std::find_if(checks.begin(), checks.end(), [&](const CheckOutcome &outcome) {
-                return outcome.id == check.id && !outcome.passed;
-            });
-        if (failed == checks.end() || check.kind != QLatin1String("bounces")
-            || !showsOwnScene(check))
-            continue;
-        const CheckPlan plan = planOf(check, runs.submission().preset, task.locked, 1);
-        if (plan.variants.empty())
-            continue;
-        const Observation &run = runs.of(plan.variants.front());
+    for (const Observation *shown : failedRuns(task, runs, checks)) {
+        const Observation &run = *shown;
         const std::vector<WallRebound> all = wallReboundsOf(run);
         const auto wrong = std::find_if(all.begin(), all.end(),
                                         [](const WallRebound &each) { return !each.isRight; });

@@ -18,4 +18,10 @@ namespace cradle {
 [[nodiscard]] std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,
                                                        const std::vector<CheckOutcome> &checks);
 
+/// That a circle of the own scene turns round at the walls where the radius would bring it that it
+/// had before the program set another, in all hits far from other circles, where a failed check of
+/// walls shows that scene and other scenes are right.
+[[nodiscard]] std::optional<LawDeviation> ownWallRadius(const Task &task, SubmissionRuns &runs,
+                                                        const std::vector<CheckOutcome> &checks);
+
 } // namespace cradle

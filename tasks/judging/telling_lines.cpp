@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace cradle {
 
@@ -88,13 +89,24 @@ int earlyLine(const ProgramLines &program, const QStringList &fields)
 {
     const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
     const std::vector<ProgramFunction> functions = functionsOf(program);
+    // The top of the file runs before on_load, wherever that stands.
+    const auto runsBefore = [&](int line, int other) {
+        const bool isTop = !functionAt(functions, line);
+        const bool isOtherTop = !functionAt(functions, other);
+        return isTop == isOtherTop ? line < other : isTop;
+    };
     const auto takes = [&](int line, const QString &field) {
         return program.row(line).contains(
             QRegularExpression(QStringLiteral("\\b%1\\b").arg(field)));
     };
     /// Also of what a function that it calls takes.
     const auto isOf = [&](const ProgramAssignment &value, const QString &field) {
-        for (std::size_t i = value.from; i < value.to; ++i) {
+        std::vector<std::size_t> tokens(value.to - value.from);
+        std::iota(tokens.begin(), tokens.end(), value.from);
+        // A table is no expression: its first line is looked at.
+        if (tokens.empty())
+            tokens = program.tokensOf(value.line);
+        for (const std::size_t i : tokens) {
             if (program.tokens()[i].text == field)
                 return true;
             const auto called =
@@ -103,7 +115,8 @@ int earlyLine(const ProgramLines &program, const QStringList &fields)
                 });
             for (int line = called == functions.end() ? 1 : called->first;
                  called != functions.end() && line <= called->last; ++line) {
-                if (takes(line, field))
+                // What a function that it only makes takes is read when that runs.
+                if (takes(line, field) && functionAt(functions, line) == &*called)
                     return true;
             }
         }
@@ -115,8 +128,8 @@ int earlyLine(const ProgramLines &program, const QStringList &fields)
         const auto isSetLater = [&](const QString &field) {
             return isOf(value, field)
                    && std::any_of(assignments.begin(), assignments.end(), [&](const auto &each) {
-                          return each.name == field && each.line > value.line
-                                 && isOfStart(functions, each.line);
+                          return each.name == field && isOfStart(functions, each.line)
+                                 && runsBefore(value.line, each.line);
                       });
         };
         if (std::any_of(fields.begin(), fields.end(), isSetLater))
