@@ -4,14 +4,13 @@
 
 #include "tasks/script/circle_list.h"
 #include "tasks/script/locked_value.h"
-#include "tasks/script/nearest_name.h"
+#include "tasks/script/own_fields.h"
 #include "tasks/script/registry_keys.h"
 #include "tasks/script/script_host.h"
 #include "tasks/script/world_binding.h"
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -24,11 +23,6 @@ namespace {
 struct CircleText {
     Q_DECLARE_TR_FUNCTIONS(Script)
 };
-
-/// Of a circle that has more fields of the program's own none are told.
-constexpr std::size_t mostFields = 100;
-
-constexpr qint64 instructionsPerNewField = 50; ///< its name is compared with the engine's
 
 enum class Field { Position, Velocity, Radius, Density, Index, Own };
 
@@ -54,71 +48,17 @@ Assignment::Field assignedField(char letter)
     return letter == 'p' ? Position : letter == 'v' ? Velocity : letter == 'r' ? Radius : Density;
 }
 
-const QStringList &engineFields()
-{
-    static const QStringList names{QStringLiteral("position"), QStringLiteral("velocity"),
-                                   QStringLiteral("radius"), QStringLiteral("density"),
-                                   QStringLiteral("index")};
-    return names;
-}
-
-QString nameOf(int circle)
-{
-    return QStringLiteral("circle%1").arg(circle + 1);
-}
-
 const char *keyAt(lua_State *L, int index, int circle)
 {
     if (lua_type(L, index) == LUA_TSTRING)
         return lua_tostring(L, index);
     raise(L, CircleText::tr("%1 has no field %2; a field has a name")
-                 .arg(nameOf(circle), nameValue(L, index)));
+                 .arg(circleName(circle), nameValue(L, index)));
 }
 
-/// What goes with a circle in Lua: a table of the program's own fields, and the vectors of its
-/// place and its velocity that the program read or assigned last.
-enum Companion { OwnFields = 1, LastPosition, LastVelocity };
-
-/// Whether it is one of the globals that addWorld() gives, and no circle's.
-bool isOfWorld(const QString &name)
-{
-    static const QStringList names{QStringLiteral("gravity"), QStringLiteral("restitution"),
-                                   QStringLiteral("time"), QStringLiteral("step")};
-    return names.contains(name);
-}
-
-/// A field of the program's own, or an error that names the nearest.
-int pushOwnField(lua_State *L, int circle, const char *key)
-{
-    lua_getiuservalue(L, 1, OwnFields);
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, -2) != LUA_TNIL)
-        return 1;
-    lua_pop(L, 1);
-    QStringList known = engineFields();
-    lua_pushnil(L);
-    while (lua_next(L, -2) != 0) {
-        if (lua_type(L, -2) == LUA_TSTRING)
-            known.append(QString::fromUtf8(lua_tostring(L, -2)));
-        lua_pop(L, 1);
-        if (known.size() > static_cast<qsizetype>(mostFields)) {
-            lua_pop(L, 1);
-            break;
-        }
-    }
-    const QString name = QString::fromUtf8(key);
-    if (isOfWorld(name))
-        raise(L, CircleText::tr(
-                     "%1 has no field `%2`: it belongs to the whole world; write `%2` alone")
-                     .arg(nameOf(circle), name));
-    const QString near = nearestName(name, known);
-    if (!near.isEmpty())
-        raise(L, CircleText::tr("%1 has no field `%2`: did you mean `%3`?")
-                     .arg(nameOf(circle), name, near));
-    raise(L, CircleText::tr("%1 has no field `%2`; it has %3. A field of your own must be set "
-                            "before it is read: %1.%2 = …")
-                 .arg(nameOf(circle), name, engineFields().join(QStringLiteral(", "))));
-}
+/// Behind the program's own fields, what goes with a circle in Lua: the vectors of its place and
+/// its velocity that the program read or assigned last.
+enum Companion { LastPosition = ownFieldsOfCircle + 1, LastVelocity };
 
 /// Vectors never change: while the circle has the same, the program gets the one that it had.
 void pushVectorOf(lua_State *L, Companion last, Vec2 value)
@@ -161,7 +101,7 @@ int index(lua_State *L)
 /// "circle1.velocity", for messages.
 QString fieldName(int circle, const char *key)
 {
-    return nameOf(circle) + QLatin1Char('.') + QLatin1String(key);
+    return circleName(circle) + QLatin1Char('.') + QLatin1String(key);
 }
 
 Vec2 newVector(lua_State *L, int circle, const char *key)
@@ -191,18 +131,6 @@ double newNumber(lua_State *L, int circle, const char *key)
         raise(L, CircleText::tr("%1 would be %2; it must be finite and above 0")
                      .arg(fieldName(circle, key), describeValue(L, 3)));
     return value;
-}
-
-/// "velocty" is not a field of the program's own; "velocity2" and "old_position" are.
-void refuseSlip(lua_State *L, int circle, const char *key)
-{
-    ScriptHost::of(L).instructions += instructionsPerNewField;
-    const QString name = QString::fromUtf8(key);
-    for (const QString &known : engineFields()) {
-        if (name.size() >= 5 && !name.startsWith(known) && editDistance(name, known) <= 2)
-            raise(L, CircleText::tr("%1 has no field `%2`: did you mean `%3`?")
-                         .arg(nameOf(circle), name, known));
-    }
 }
 
 int setField(lua_State *L)
@@ -242,18 +170,11 @@ int setField(lua_State *L)
         return 0;
     }
     case Field::Index:
-        raise(L, CircleText::tr("%1.index is given and cannot be changed").arg(nameOf(circle)));
+        raise(L, CircleText::tr("%1.index is given and cannot be changed").arg(circleName(circle)));
     case Field::Own:
         break;
     }
-    lua_getiuservalue(L, 1, OwnFields);
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, -2) == LUA_TNIL)
-        refuseSlip(L, circle, key);
-    lua_pop(L, 1);
-    lua_pushvalue(L, 2);
-    lua_pushvalue(L, 3);
-    lua_rawset(L, -3);
+    setOwnField(L, circle, key);
     return 0;
 }
 
@@ -293,7 +214,7 @@ void pushCircles(lua_State *L)
         new (lua_newuserdatauv(L, sizeof(CircleObject), LastVelocity))
             CircleObject{ObjectKind::Circle, i};
         lua_newtable(L);
-        lua_setiuservalue(L, -2, OwnFields);
+        lua_setiuservalue(L, -2, ownFieldsOfCircle);
         lua_rawgeti(L, LUA_REGISTRYINDEX, registry::circleMetatable);
         lua_setmetatable(L, -2);
         lua_rawseti(L, -2, i + 1);
@@ -301,33 +222,6 @@ void pushCircles(lua_State *L)
     lua_rawseti(L, LUA_REGISTRYINDEX, registry::circleTable);
 
     pushCircleList(L);
-}
-
-std::vector<CircleField> ownFields(lua_State *L)
-{
-    std::vector<CircleField> fields;
-    const auto count = static_cast<int>(ScriptHost::of(L).circles.size());
-    for (int i = 0; i < count; ++i) {
-        pushCircle(L, i);
-        lua_getiuservalue(L, -1, OwnFields);
-        const std::size_t before = fields.size();
-        lua_pushnil(L);
-        while (lua_next(L, -2) != 0) {
-            if (lua_type(L, -2) == LUA_TSTRING && lua_type(L, -1) == LUA_TNUMBER)
-                fields.push_back({i, QString::fromUtf8(lua_tostring(L, -2)), lua_tonumber(L, -1)});
-            lua_pop(L, 1);
-            if (fields.size() > before + mostFields) {
-                fields.resize(before);
-                lua_pop(L, 1);
-                break;
-            }
-        }
-        lua_pop(L, 2);
-    }
-    std::sort(fields.begin(), fields.end(), [](const CircleField &a, const CircleField &b) {
-        return a.circle != b.circle ? a.circle < b.circle : a.name < b.name;
-    });
-    return fields;
 }
 
 } // namespace cradle
