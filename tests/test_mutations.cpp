@@ -179,6 +179,12 @@ void TestMutations::missingTestIsFound()
     const Suggestion *wall = find(QStringLiteral("if false then"));
     QVERIFY(wall);
     QCOMPARE(wall->kind, Suggestion::Kind::Passes);
+    // Made twice it does what it does once: that tells nothing.
+    const auto twice = mutantsOf(task.solution);
+    QVERIFY(std::any_of(twice.begin(), twice.end(), [](const Mutant &mutant) {
+        return mutant.change == QLatin1String("c.velocity = vec(-1, 0)");
+    }));
+    QVERIFY(!find(QStringLiteral("c.velocity = vec(-1, 0)")));
     // The lab has no mistake for this one, yet what is measured tells of it.
     const Suggestion *faster = find(QStringLiteral("c.position = c.position + c.velocity"));
     QVERIFY(faster);
