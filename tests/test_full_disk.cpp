@@ -14,6 +14,10 @@
 
 #include <functional>
 
+#include <seccomp.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 using namespace cradle;
 
 using Writer = std::function<std::optional<Error>(const QString &folder)>;
@@ -24,6 +28,8 @@ class TestFullDisk final : public QObject
 private slots:
     void keepsWhatWasSaved_data();
     void keepsWhatWasSaved();
+    void believesWhatTheDiskSaysAtTheEnd_data();
+    void believesWhatTheDiskSaysAtTheEnd();
 };
 
 namespace {
@@ -134,6 +140,43 @@ void TestFullDisk::keepsWhatWasSaved()
     // There is room again: nothing else is in the way.
     QVERIFY(!second(folder.path()));
     QVERIFY(contentsOf(folder.path()) != before);
+}
+
+void TestFullDisk::believesWhatTheDiskSaysAtTheEnd_data()
+{
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<bool>("isSaved");
+    QTest::newRow("it could not write") << EIO << false;
+    QTest::newRow("it is full after all") << ENOSPC << false;
+    QTest::newRow("nothing of it can be waited for") << EINVAL << true;
+}
+
+/// A disk may take what is written, and say only when it is asked to finish that it failed.
+void TestFullDisk::believesWhatTheDiskSaysAtTheEnd()
+{
+    QFETCH(int, fault);
+    QFETCH(bool, isSaved);
+    const QTemporaryDir folder;
+    Workspace workspace(folder.path());
+    QVERIFY(!workspace.save(QStringLiteral("A"), QStringLiteral("-- mine\n")));
+    const auto before = contentsOf(folder.path());
+    // In a process of its own: a filter stays for ever.
+    constexpr int noFilter = 3;
+    const pid_t child = fork();
+    if (child == 0) {
+        const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+        seccomp_rule_add(filter, SCMP_ACT_ERRNO(static_cast<unsigned>(fault)), SCMP_SYS(fsync), 0);
+        if (seccomp_load(filter) != 0)
+            _exit(noFilter);
+        _exit(workspace.save(QStringLiteral("A"), QStringLiteral("-- other\n")) ? 1 : 0);
+    }
+    int status = 0;
+    QCOMPARE(waitpid(child, &status, 0), child);
+    QVERIFY(WIFEXITED(status));
+    if (WEXITSTATUS(status) == noFilter)
+        QSKIP("this kernel has no seccomp");
+    QCOMPARE(WEXITSTATUS(status), isSaved ? 0 : 1);
+    QCOMPARE(contentsOf(folder.path()) == before, !isSaved);
 }
 
 QTEST_APPLESS_MAIN(TestFullDisk)
