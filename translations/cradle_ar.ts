@@ -5564,6 +5564,34 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>The push of a hit is spread over several steps</source>
         <translation>دفع التصادم موزَّع على عدة خطوات</translation>
     </message>
+    <message>
+        <source>The first step of a run is made in another way.</source>
+        <translation>الخطوة الأولى من التشغيل تُحسب بطريقة أخرى.</translation>
+    </message>
+    <message>
+        <source>With its rim %1 m from the %2 and %3 m/s, circle %4 had %5 m/s one step of %6 s later; in free flight it has %7 m/s.</source>
+        <translation>حين كان يفصل حافتها ⁦%1 m⁩ عن ⁨%2⁩ وسرعتها ⁦%3 m/s⁩، صارت سرعة الدائرة ⁨%4⁩ ⁦%5 m/s⁩ بعد خطوة واحدة من ⁦%6 s⁩؛ وفي الطيران الحر تكون ⁦%7 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>With its rim %1 m from the %2 and %3 m/s, circle %4 went %5 m in a step of %6 s; in free flight it goes %7 m.</source>
+        <translation>حين كان يفصل حافتها ⁦%1 m⁩ عن ⁨%2⁩ وسرعتها ⁦%3 m/s⁩، تحركت الدائرة ⁨%4⁩ ⁦%5 m⁩ في خطوة من ⁦%6 s⁩؛ وفي الطيران الحر تتحرك ⁦%7 m⁩.</translation>
+    </message>
+    <message>
+        <source>Near the %walls the steps of %who are made in another way</source>
+        <translation>قرب %walls تُحسب خطوات %who بطريقة أخرى</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks there before its rim is at the wall.</source>
+        <translation>انظر ما الذي يسأل عنه برنامجك هناك قبل أن تصل الحافة إلى الجدار.</translation>
+    </message>
+    <message>
+        <source>After hits at the %walls %who does not move as its velocity says</source>
+        <translation>بعد التصادمات عند %walls لا تتبع حركة %who السرعة</translation>
+    </message>
+    <message>
+        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
+        <translation>بعد ارتدادها عند ⁨%1⁩ سرعة الدائرة ⁨%2⁩ هي ⁦%3 m/s⁩؛ وفي الخطوة التالية من ⁦%4 s⁩ تحركت ⁦%5 m⁩، وبحسب هذه السرعة تكون ⁦%6 m⁩. والسرعة أو الموضع القديم الذي يحتفظ به برنامجك في متغير خاص به يجب أن يتغير هو أيضًا عند التصادم.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5488,6 +5488,34 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>The push of a hit is spread over several steps</source>
         <translation>Der Kraftstoß eines Stoßes verteilt sich auf mehrere Schritte</translation>
     </message>
+    <message>
+        <source>The first step of a run is made in another way.</source>
+        <translation>Der erste Schritt eines Laufs geschieht anders.</translation>
+    </message>
+    <message>
+        <source>With its rim %1 m from the %2 and %3 m/s, circle %4 had %5 m/s one step of %6 s later; in free flight it has %7 m/s.</source>
+        <translation>Mit dem Rand %1 m vor %2 und %3 m/s hatte Kreis %4 einen Schritt von %6 s später %5 m/s; im freien Flug hat er %7 m/s.</translation>
+    </message>
+    <message>
+        <source>With its rim %1 m from the %2 and %3 m/s, circle %4 went %5 m in a step of %6 s; in free flight it goes %7 m.</source>
+        <translation>Mit dem Rand %1 m vor %2 und %3 m/s ging Kreis %4 in einem Schritt von %6 s um %5 m weiter; im freien Flug sind es %7 m.</translation>
+    </message>
+    <message>
+        <source>Near the %walls the steps of %who are made in another way</source>
+        <translation>Vor %walls geschehen die Schritte von %who anders</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks there before its rim is at the wall.</source>
+        <translation>Sieh dir an, was dein Programm dort fragt, bevor der Rand an der Wand ist.</translation>
+    </message>
+    <message>
+        <source>After hits at the %walls %who does not move as its velocity says</source>
+        <translation>Nach Stößen an %walls folgt die Bewegung von %who nicht der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
+        <translation>An %1 umgekehrt hat Kreis %2 %3 m/s; im nächsten Schritt von %4 s ging er um %5 m weiter, und nach dieser Geschwindigkeit sind es %6 m. Auch eine Geschwindigkeit oder ein alter Ort, die dein Programm in einer eigenen Variablen behält, müssen sich bei einem Stoß ändern.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

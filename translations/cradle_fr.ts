@@ -5488,6 +5488,34 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>The push of a hit is spread over several steps</source>
         <translation>La poussée d&apos;un choc s&apos;étale sur plusieurs pas</translation>
     </message>
+    <message>
+        <source>The first step of a run is made in another way.</source>
+        <translation>Le premier pas d&apos;une exécution est fait d&apos;une autre façon.</translation>
+    </message>
+    <message>
+        <source>With its rim %1 m from the %2 and %3 m/s, circle %4 had %5 m/s one step of %6 s later; in free flight it has %7 m/s.</source>
+        <translation>Quand il manquait %1 m à son bord pour atteindre %2, avec %3 m/s, le cercle %4 avait %5 m/s un pas de %6 s plus tard&#xa0;; en vol libre il a %7 m/s.</translation>
+    </message>
+    <message>
+        <source>With its rim %1 m from the %2 and %3 m/s, circle %4 went %5 m in a step of %6 s; in free flight it goes %7 m.</source>
+        <translation>Quand il manquait %1 m à son bord pour atteindre %2, avec %3 m/s, le cercle %4 a avancé de %5 m en un pas de %6 s&#xa0;; en vol libre il avance de %7 m.</translation>
+    </message>
+    <message>
+        <source>Near the %walls the steps of %who are made in another way</source>
+        <translation>Avant %walls, les pas de %who sont faits d&apos;une autre façon</translation>
+    </message>
+    <message>
+        <source>Look at what your program asks there before its rim is at the wall.</source>
+        <translation>Regardez ce que votre programme demande à cet endroit avant que le bord soit contre la paroi.</translation>
+    </message>
+    <message>
+        <source>After hits at the %walls %who does not move as its velocity says</source>
+        <translation>Après les chocs contre %walls, le mouvement de %who ne suit pas sa vitesse</translation>
+    </message>
+    <message>
+        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
+        <translation>Renvoyé par %1, le cercle %2 a %3 m/s&#xa0;; au pas suivant de %4 s il a avancé de %5 m, et selon cette vitesse c&apos;est %6 m. Une vitesse ou une ancienne position que votre programme garde dans une variable à lui doit changer au choc, elle aussi.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -62,6 +62,7 @@ struct LawDeviation {
     bool isOfSome = false;      ///< it says itself that not all come out wrong
     bool isMethod = false;      ///< of the motion: which integrator it is
     bool hidesHits = false;     ///< of the motion: hits are not seen through it
+    bool hidesWalls = false; ///< of the motion: the first shots at walls do not show what they do
 };
 
 /// Two or three digits, enough for a reader; noise of rounding is 0.

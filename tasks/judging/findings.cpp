@@ -65,9 +65,12 @@ public:
             }
             if (!m_deviations.isAsked(aspect) || (aspect == Aspect::Motion && isTurned())
                 || (aspect == Aspect::Response && m_unchanged)
+                || (aspect == Aspect::Walls && hidesWalls())
                 || (aspect != Aspect::Motion && (m_motion.isOfPlace || hidesHits())))
                 continue;
             ConditionedAspect said = withConditions(aspect);
+            if (const auto fall = isOfNearness(said.deviations) ? floorFall() : std::nullopt)
+                said.deviations = {*fall};
             take(aspect, said.deviations);
             if (aspect == Aspect::Motion)
                 m_motion = std::move(said);
@@ -106,7 +109,7 @@ private:
     [[nodiscard]] bool hasUnseenWalls() const
     {
         return m_deviations.isAsked(Aspect::Walls) && !m_right.walls().judged.empty()
-               && (m_motion.isOfPlace || m_own.walls().judged.empty());
+               && (m_motion.isOfPlace || hidesWalls() || m_own.walls().judged.empty());
     }
 
     [[nodiscard]] bool hasUnseenHits() const
@@ -169,8 +172,19 @@ private:
     {
         if (!m_deviations.isAsked(Aspect::Walls) || !m_found->all().empty())
             return;
-        if (const auto fall = fallAtFloor(m_submission.program(), m_ground, m_own.flight()))
+        if (const auto fall = floorFall())
             take(Aspect::Walls, {*fall});
+    }
+
+    [[nodiscard]] std::optional<LawDeviation> floorFall() const
+    {
+        return fallAtFloor(m_submission.program(), m_ground, m_own.flight());
+    }
+
+    /// Whether steps near walls are not those of free flight: all else there is seen through them.
+    static bool isOfNearness(const std::vector<LawDeviation> &walls)
+    {
+        return !walls.empty() && walls.front().family == QLatin1String("near");
     }
 
     /// Instructions that an update takes; a program of the lab takes some hundred.
@@ -215,6 +229,13 @@ private:
                            [](const LawDeviation &each) { return each.hidesHits; });
     }
 
+    /// Whether what is shot at walls does not show what they do.
+    [[nodiscard]] bool hidesWalls() const
+    {
+        return std::any_of(m_motion.deviations.begin(), m_motion.deviations.end(),
+                           [](const LawDeviation &each) { return each.hidesWalls; });
+    }
+
     /// Whether the circles do not fly as asked; another integrator moves them almost alike.
     [[nodiscard]] bool isMotionWrong() const
     {
@@ -238,8 +259,9 @@ private:
                    || (aspect != Aspect::Motion && !each.moment.stage.pinned && isMotionWrong())
                    || (each.family == QLatin1String("of two") && isContactWrong());
         });
-        // How they fly is not always the same: nor is what comes of it.
-        if (!m_motion.deviations.empty() && m_motion.deviations.front().isConditional)
+        // How they fly is not always the same, or not near walls: nor is what comes of it.
+        if ((!m_motion.deviations.empty() && m_motion.deviations.front().isConditional)
+            || isOfNearness(found))
             return {std::move(found), false};
         const CheckOutcome &failed = *m_deviations.failedOf(aspect);
         return conditioned(aspect, std::move(found), m_own, m_right, m_ground,

@@ -25,8 +25,9 @@ struct FlightSaid {
     Moment moment{};
     bool isMethod = false; ///< it is about the integrator
     Suspect suspect = Suspect::Answer;
-    bool hidesHits = false; ///< hits are not seen through it
-    bool isOfWall = false;  ///< a wall does it, see strayWallSaid()
+    bool hidesHits = false;  ///< hits are not seen through it
+    bool hidesWalls = false; ///< what is shot at walls is not seen through it
+    bool isOfWall = false;   ///< a wall does it, see strayWallSaid()
 };
 
 /// The flight of one circle beside that of the reference.

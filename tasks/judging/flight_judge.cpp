@@ -24,6 +24,14 @@ public:
     [[nodiscard]] std::vector<FlightSaid> judge() const
     {
         std::vector<FlightSaid> said = judgeByItself();
+        // What is shot at walls starts anew, and the steps that it makes there may be the odd ones.
+        const bool hidesWalls = !said.empty() && firstStepSaid(*this).has_value();
+        for (FlightSaid &each : said)
+            each.hidesWalls = hidesWalls;
+        if (hidesWalls && said.front().suspect != Suspect::Kept)
+            said.front().body +=
+                QLatin1Char(' ')
+                + FlightText::tr("The first step of a run is made in another way.");
         if (!said.empty() && !said.front().isMethod) {
             if (auto wall = strayWallSaid(*this))
                 return {*wall};

@@ -93,7 +93,8 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
                               .moment = said.moment,
                               .suspect = said.suspect,
                               .isMethod = said.isMethod,
-                              .hidesHits = said.hidesHits});
+                              .hidesHits = said.hidesHits,
+                              .hidesWalls = said.hidesWalls});
     }
     if (together)
         deviations.push_back(*together);

@@ -111,7 +111,7 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
                     || a.onlySlow != b.onlySlow || a.isTimeless != b.isTimeless
                     || a.leap.has_value() != b.leap.has_value() || a.isWayLinear != b.isWayLinear
                     || a.isTurnLinear != b.isTurnLinear || !isAlike(a.turnedInto, b.turnedInto)
-                    || !isAlike(a.wayMade, b.wayMade))
+                    || !isAlike(a.wayMade, b.wayMade) || !isAlike(a.firstWay, b.firstWay))
                     return false;
             }
         }

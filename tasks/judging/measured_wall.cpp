@@ -23,6 +23,20 @@ bool WallHit::fits(double distance) const
     return reached - 1e-9 <= distance && distance <= before + travel + 1e-9;
 }
 
+AnswerGap answerGap(const WallHit &own, const WallHit &right)
+{
+    constexpr double slack = 1e-3;
+    const Vec2 asked = own.stage.preset.timestep * own.stage.preset.gravity;
+    const auto blurAlong = [&](Vec2 direction, double share) {
+        const double fall =
+            std::max(std::abs(dot(direction, asked)), std::abs(dot(direction, own.came - own.was)));
+        return (slack + 1.1 * fall / std::abs(dot(direction, own.came))) * (1.0 + std::abs(share));
+    };
+    const Vec2 n = outwardNormal(own.wall);
+    return {.off = {std::abs(own.back - right.back), std::abs(own.along - right.along)},
+            .blur = {blurAlong(n, right.back), blurAlong(perpendicular(n), right.along)}};
+}
+
 MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
                              const MeasuredFlight &flight)
 {
@@ -191,7 +205,9 @@ bool MeasuredWalls::isLike(const MeasuredWalls &other) const
         if (a.missed || b.missed)
             return a.missed == b.missed;
         if (a.turned != b.turned || a.held != b.held || a.disturbs != b.disturbs
-            || a.isLeap() != b.isLeap() || !isOtherAlike(a, b))
+            || a.isLeap() != b.isLeap() || !isOtherAlike(a, b)
+            || a.near.has_value() != b.near.has_value()
+            || a.unchanged.has_value() != b.unchanged.has_value())
             return false;
         if (!a.turned)
             return true;

@@ -7,6 +7,14 @@
 
 namespace cradle {
 
+/// A step of a circle, and where free flight would have brought it.
+struct WallStep {
+    Circle was{};
+    Motion now{};
+    Motion free{};
+    qint64 step = 0; ///< from 1
+};
+
 /// A shot at one wall, and what became of it. Lengths in m, seen from the wall inward.
 struct WallHit {
     int circle = 0;
@@ -34,9 +42,11 @@ struct WallHit {
     Vec2 landed{};          ///< where it was after the answer
     bool disturbs = false;  ///< another circle did not fly on freely meanwhile
     bool kicks = false;     ///< its velocity, too, was changed
-    Motion otherFree{};     ///< what free flight makes of another circle meanwhile
-    Motion otherWas{};      ///< and where and how fast it was after the step
-    qint64 step = 0;        ///< in which it was answered, from 1
+    std::optional<WallStep> near{};      ///< on its way to the wall, before its rim was there
+    std::optional<WallStep> unchanged{}; ///< after it was turned, as if it had not been
+    Motion otherFree{};                  ///< what free flight makes of another circle meanwhile
+    Motion otherWas{};                   ///< and where and how fast it was after the step
+    qint64 step = 0;                     ///< in which it was answered, from 1
     Stage stage{};
 
     /// Whether the answer came when the centre was \p distance from the wall; it may be a step
@@ -49,6 +59,14 @@ struct WallHit {
     /// Whether the answer put it where no way of treating a wall puts it.
     [[nodiscard]] bool isLeap() const { return leap > 4.0 * std::abs(travel) + 1.5 * radius; }
 };
+
+/// How far two answers are from each other, in the shares of the speed that are left.
+struct AnswerGap {
+    Vec2 off{};  ///< x: of back, y: of along
+    Vec2 blur{}; ///< what comes of where in that step gravity acts, or whether
+    [[nodiscard]] bool isAlike() const { return off.x <= blur.x && off.y <= blur.y; }
+};
+[[nodiscard]] AnswerGap answerGap(const WallHit &own, const WallHit &right);
 
 /// The e nearest to ½, where e, e² and 1 − e are told apart best but for the last two.
 [[nodiscard]] double middleOf(const std::vector<double> &restitutions);

@@ -92,8 +92,7 @@ private:
                 continue;
             const bool isOnlyHeld = hit.held && right.turned && !isTurnedElse(hit);
             const bool isTurnedOtherwise =
-                hit.turned && right.turned
-                && (!isNear(hit.back, right.back) || !isNear(hit.along, right.along));
+                hit.turned && right.turned && !answerGap(hit, right).isAlike();
             if (isOnlyHeld || isTurnedOtherwise)
                 odd.push_back(i);
         }

@@ -79,9 +79,13 @@ bool WallComparison::isRightFall(const WallHit &hit) const
     const Vec2 n = outwardNormal(hit.wall);
     const auto turned = [&](Vec2 v) { return v - (1.0 + e) * dot(v, n) * n; };
     const double slack = 1e-6 * (1.0 + length(hit.was));
-    return hit.turned && fall != Vec2{}
-           && (length(hit.left - turned(hit.was + fall)) < slack
-               || length(hit.left - turned(hit.was) - fall) < slack);
+    if (!hit.turned || fall == Vec2{})
+        return false;
+    // Who parts the step at the hit falls a share of it before, and the rest after.
+    const Vec2 before = turned(hit.was + fall) - hit.left;
+    const Vec2 after = turned(hit.was) + fall - hit.left;
+    const auto [low, high] = std::minmax({dot(before, n), dot(after, n)});
+    return std::abs(cross(before, n)) < slack && low < slack && high > -slack;
 }
 
 bool WallComparison::isNear(double a, double b) const

@@ -66,8 +66,8 @@ protected:
     /// e is a word of the steps that ask for it.
     [[nodiscard]] bool rebounds() const { return m_ground.walls.restitutions.size() > 1; }
 
-    /// Whether it was turned as it should be by who falls as asked in that step, before it or
-    /// after: then only the steps without a hit are wrong.
+    /// Whether it was turned as it should be by who falls as asked in that step, before it, after
+    /// it or a share of it before: then only the steps without a hit are wrong.
     [[nodiscard]] bool isRightFall(const WallHit &hit) const;
 
     /// Whether two ratios of velocities are the same but for what gravity blurs, see
@@ -83,6 +83,10 @@ protected:
     const Ground &m_ground;
 };
 
+/// That circles go on otherwise than in free flight before they are at a wall.
+[[nodiscard]] std::vector<LawDeviation> nearDeviations(const WallComparison &walls);
+/// That circles go on after a hit as if it had not turned them.
+[[nodiscard]] std::vector<LawDeviation> unchangedDeviations(const WallComparison &walls);
 /// That walls turn nothing round.
 [[nodiscard]] std::vector<LawDeviation> missingDeviations(const WallComparison &walls);
 /// Where walls turn circles at another place than their rim.

@@ -41,11 +41,11 @@ public:
                                "%5 m/s.")},
             [](const LawDeviation &found) { return found.suspect != Suspect::Formula; });
         // What falls in the step of a slow one blurs its answer.
-        sayWalls(mixed(wallSeries(
+        sayWalls(mixed(told(wallSeries(
                      [&](const WallOccasion &one) { return !one.isSlow && isAnswered(one.hit); },
-                     [&](const WallHit &hit, const WallHit &right) {
-                         return isRightAnswer(hit, right);
-                     })),
+                     [](const WallHit &hit, const WallHit &right) {
+                         return hit.turned && answerGap(hit, right).isAlike();
+                     }))),
                  {ConditionText::tr("Some hits of %who at the %walls come out wrong"), triesTold,
                   ConditionText::tr("This one came out right: circle %1 at %2 s, at the %3 at %4 m "
                                     "with %5 m/s.")},
@@ -86,20 +86,6 @@ private:
         return hit.before > place - 1.5 * std::abs(hit.travel);
     }
 
-    /// Whether \p hit is answered as that of the reference is.
-    [[nodiscard]] bool isRightAnswer(const WallHit &hit, const WallHit &right) const
-    {
-        const double blur = std::max(m_own.walls().blur, m_right.walls().blur);
-        // Of a slow part what falls in that step is a large share.
-        const double fall = 1.1 * hit.stage.preset.timestep * length(hit.stage.preset.gravity);
-        const auto isNear = [&](double a, double b, double part) {
-            return std::abs(a - b) <= blur * (1.0 + std::abs(b)) + fall / std::abs(part);
-        };
-        const Vec2 n = outwardNormal(hit.wall);
-        return hit.turned && isNear(hit.back, right.back, dot(n, hit.came))
-               && isNear(hit.along, right.along, dot(perpendicular(n), hit.came));
-    }
-
     /// Of hits at the walls, in long runs and at the start of others.
     template <class Takes, class IsRight>
     [[nodiscard]] Series<WallOccasion> wallSeries(Takes takes, IsRight isRight)
@@ -117,6 +103,27 @@ private:
         take(m_first, m_rightFirst);
         take(m_again, m_rightAgain);
         return series;
+    }
+
+    /// Without those that only seem right: gravity blurs their answer by as much as others are off.
+    [[nodiscard]] static Series<WallOccasion> told(const Series<WallOccasion> &series)
+    {
+        Vec2 least{1.0, 1.0};
+        for (std::size_t i = 0; i < series.all.size(); ++i) {
+            const AnswerGap gap = answerGap(series.all[i].own->hit, series.all[i].right->hit);
+            if (series.when[i].isRight || !series.all[i].own->hit.turned)
+                continue;
+            least.x = gap.off.x > gap.blur.x ? std::min(least.x, gap.off.x) : least.x;
+            least.y = gap.off.y > gap.blur.y ? std::min(least.y, gap.off.y) : least.y;
+        }
+        Series<WallOccasion> some;
+        for (std::size_t i = 0; i < series.all.size(); ++i) {
+            const auto &[own, right] = series.all[i];
+            const Vec2 blur = answerGap(own->hit, right->hit).blur;
+            if (!series.when[i].isRight || (blur.x < least.x && blur.y < least.y))
+                some.add(*own, *right, series.when[i].isRight);
+        }
+        return some;
     }
 
     /// The hits of short runs with the e of the long one.

@@ -22,7 +22,7 @@ public:
     /// Whether shots of that circle can be aimed: it comes to a wall by its velocity.
     [[nodiscard]] bool isKnown(int circle) const;
     /// By how much what falls in the step of a hit blurs ratios of velocities.
-    [[nodiscard]] double blur() const { return !m_falls ? 1e-3 : m_h < m_usual ? 0.01 : 0.05; }
+    [[nodiscard]] double blur() const { return !m_falls ? 1e-3 : m_h < m_usual ? 0.005 : 0.05; }
     [[nodiscard]] bool canDrop(int circle) const;
 
     [[nodiscard]] const Flight &flightOf(int circle) const;
@@ -100,7 +100,16 @@ private:
     void watch(WallHit &hit, bool corner = false) const;
     /// The same in the midst of a run, whose circles are set as the stage has them, up to the
     /// answer.
-    void watch(WallHit &hit, Probe &probe, bool corner = false) const;
+    /// \param isFirst  its run began with the stage
+    void watch(WallHit &hit, Probe &probe, bool corner = false, bool isFirst = false) const;
+
+    /// Whether a step that is not that of free flight does not turn or hold it, either, near the
+    /// wall and inside of it.
+    static bool goesOnNear(const WallHit &hit, const Circle &was, const Circle &now,
+                           const Motion &free);
+
+    /// Whether that step is one of free flight where the same shot begins farther from the wall.
+    [[nodiscard]] bool isFreeFarther(const WallHit &hit, int k) const;
 
     void note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,
               const Motion &free, int k) const;

@@ -69,7 +69,9 @@ public:
                                  "look at which part stands where."),
                     true, false};
         const auto whole = [&](double) { return hit.along; };
-        if (!isNear(hit.along, right.along) && follows(odd, along, whole)
+        const AnswerGap gap = answerGap(hit, right);
+        const bool isAlongOff = gap.off.y > gap.blur.y;
+        if (isAlongOff && gap.off.x > gap.blur.x && follows(odd, along, whole)
             && follows(odd, back, whole))
             return {WallText::tr("Hits at the %walls give %who %1 times the whole velocity back")
                         .arg(brief(hit.along)),
@@ -80,7 +82,7 @@ public:
                                  "velocity out from the old one.")
                         .arg(brief(*speed)),
                     true, false};
-        if (!isNear(hit.along, right.along))
+        if (isAlongOff)
             return {WallText::tr("Hits at the %walls change the part of %who along the wall"),
                     normalOnly, false, false};
         return backWords(odd, hit);

@@ -10,7 +10,21 @@ constexpr int stepsAfterwards = 6;
 constexpr double farOutside = 1.0; ///< of a centre, m: who is turned there is not let through
 /// Of a way: what steps that are parted at a hit lose of it is no disturbance.
 constexpr double smallShare = 0.1;
-constexpr double outside = 1.3; ///< of a centre, in radii: all of it is beyond the wall
+constexpr double nearWall = 0.8; ///< of a rim, m
+constexpr double outside = 1.3;  ///< of a centre, in radii: all of it is beyond the wall
+
+constexpr double fartherInside = 1.5; ///< m: there no wall is near
+
+bool isTurned(const Circle &now, const Motion &free)
+{
+    // What no rounding makes.
+    return length(now.velocity - free.velocity) > 1e-6 * (1.0 + length(free.velocity));
+}
+
+bool isMoved(const Circle &now, const Motion &free)
+{
+    return length(now.position - free.position) > 1e-7;
+}
 
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
@@ -27,12 +41,12 @@ bool WallRange::isNearWall(const Circle &c, Vec2 direction, double halfWidth)
 void WallRange::watch(WallHit &hit, bool corner) const
 {
     Probe probe(m_program, hit.stage);
-    watch(hit, probe, corner);
+    watch(hit, probe, corner, true);
     if (hit.turned || hit.held)
         follow(hit, probe);
 }
 
-void WallRange::watch(WallHit &hit, Probe &probe, bool corner) const
+void WallRange::watch(WallHit &hit, Probe &probe, bool corner, bool isFirst) const
 {
     const Preset &preset = hit.stage.preset;
     const Vec2 n = outwardNormal(hit.wall);
@@ -59,11 +73,15 @@ void WallRange::watch(WallHit &hit, Probe &probe, bool corner) const
         }
         const Motion free = flight.after(c, m_h);
         const Circle &now = probe.circle(hit.circle);
-        const bool turned =
-            length(now.velocity - free.velocity) > wallKick * (1.0 + length(free.velocity));
-        const bool moved = length(now.position - free.position) > 1e-7;
+        const bool turned = isTurned(now, free);
+        const bool moved = isMoved(now, free);
         if (!turned && !moved)
             continue;
+        if (isFirst && !corner && goesOnNear(hit, c, now, free)
+            && (hit.near || isFreeFarther(hit, k))) {
+            hit.near = hit.near ? hit.near : WallStep{c, {now.position, now.velocity}, free, k};
+            continue;
+        }
         note(hit, before, now, free, k);
         // A wall turns it round, or its rim is there; else something on the way changes it, which
         // may be a hit that stops it.
@@ -81,6 +99,31 @@ void WallRange::watch(WallHit &hit, Probe &probe, bool corner) const
     // It never came there, or so slowly that all of this time has not brought it through.
     const Vec2 place = probe.circle(hit.circle).position;
     hit.missed = distanceFrom(hit.wall, preset.halfWidth, place) > hit.radius - 0.02;
+}
+
+bool WallRange::isFreeFarther(const WallHit &hit, int k) const
+{
+    Stage stage = hit.stage;
+    stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.position -=
+        fartherInside * outwardNormal(hit.wall);
+    Probe probe(m_program, stage);
+    for (int i = 1; i < k && probe.runs(); ++i) {
+        if (!probe.step())
+            return false;
+    }
+    const Motion free = flightOf(hit.circle).after(probe.circle(hit.circle), m_h);
+    return probe.runs() && probe.step() && !isTurned(probe.circle(hit.circle), free)
+           && !isMoved(probe.circle(hit.circle), free);
+}
+
+bool WallRange::goesOnNear(const WallHit &hit, const Circle &was, const Circle &now,
+                           const Motion &free)
+{
+    const Vec2 n = outwardNormal(hit.wall);
+    const double room =
+        distanceFrom(hit.wall, hit.stage.preset.halfWidth, free.position) - hit.radius;
+    return room > 1e-9 && room < nearWall && dot(n, now.velocity) > 0.0
+           && dot(n, now.position - was.position) > 0.0;
 }
 
 void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,
@@ -108,6 +151,8 @@ void WallRange::follow(WallHit &hit, Probe &probe) const
 {
     const Vec2 n = outwardNormal(hit.wall);
     Circle c = probe.circle(hit.circle);
+    WallStep next{};
+    int unmoved = 0; // steps, though its velocity points away from the wall
     for (int k = 0; k < stepsAfterwards; ++k) {
         if (!probe.step())
             return;
@@ -117,8 +162,19 @@ void WallRange::follow(WallHit &hit, Probe &probe) const
         const double away = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
         if (leaves && dot(n, now.velocity) > 0.0 && away < hit.radius + hit.travel)
             ++hit.again;
+        const bool staysThere = dot(n, now.position - c.position) > -smallShare * hit.travel
+                                && dot(n, now.position - free.position) > 0.5 * hit.travel;
+        unmoved = leaves && staysThere && k == unmoved ? unmoved + 1 : unmoved;
+        if (k == 0)
+            next = {c, {now.position, now.velocity}, free, hit.step + 1};
         c = now;
     }
+    const bool goesOut = dot(n, next.now.position - next.was.position) > 0.5 * hit.travel;
+    // Who would still be beyond the wall may be put back once more.
+    const bool isInside =
+        distanceFrom(hit.wall, hit.stage.preset.halfWidth, next.free.position) > hit.radius;
+    if (unmoved > 0 && (goesOut || (unmoved > 1 && isInside && hit.fits(hit.radius))))
+        hit.unchanged = next;
     hit.turnsBoth = dot(n, c.velocity) < 0.0
                     && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
     const double distance = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);

@@ -19,6 +19,12 @@ public:
 
     [[nodiscard]] std::vector<LawDeviation> judge()
     {
+        take(nearDeviations(*this));
+        if (m_found.empty())
+            take(unchangedDeviations(*this));
+        // The rest is seen through these.
+        if (!m_found.empty())
+            return std::move(m_found);
         take(kickedDeviation(*this));
         take(missingDeviations(*this));
         findReach();
