@@ -19,6 +19,9 @@ enum class Side { Nobody, First, Second, Both };
 /// Whether the names of what is given and of what gets it tell of the same.
 enum class Naming { Silent, Agrees, Disagrees };
 
+/// The likelier a repair is what was meant, the sooner it is tried.
+enum class Rank { Told, Single, Twins, Doubtful };
+
 bool isOfName(QChar c)
 {
     return (c.unicode() < 128 && c.isLetterOrNumber()) || c == QLatin1Char('_');
@@ -148,20 +151,20 @@ void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::
         const QString row = rowOf(repair.source, repair.line);
         const Naming after = row == rows[repair.line - 1] ? before : namingOf(row);
         if (before != Naming::Disagrees && after == Naming::Disagrees)
-            return 3;
+            return Rank::Doubtful;
         if (triesNumbers && row.contains(number) && rows[repair.line - 1].contains(number))
-            return 0;
+            return Rank::Told;
         if (repair.told || (before == Naming::Disagrees && after != Naming::Disagrees))
-            return 0;
+            return Rank::Told;
         const bool isDropped = row.isEmpty() && rows[repair.line - 1].contains(writeBack);
         const bool isLast = isDropped || row.contains(verdict) || row.contains(doubled)
                             || isFirstOfTwo(rows, repair.line, row) || sound.contains(repair.line);
-        return isLast ? 3 : repair.alone ? 1 : 2;
+        return isLast ? Rank::Doubtful : repair.alone ? Rank::Single : Rank::Twins;
     };
-    std::vector<std::pair<int, Repair>> ranked;
+    std::vector<std::pair<Rank, Repair>> ranked;
     for (Repair &repair : repairs) {
-        const int rank = rankOf(repair);
-        repair.isDoubtful = rank == 3;
+        const Rank rank = rankOf(repair);
+        repair.isDoubtful = rank == Rank::Doubtful;
         ranked.emplace_back(rank, std::move(repair));
     }
     std::stable_sort(ranked.begin(), ranked.end(),
