@@ -107,7 +107,7 @@ void TestPlainText::markdownKeepsItsMarks()
 
 void TestPlainText::oddLettersAreLeftOut()
 {
-    QString odd = text("a\tb\n🎱ü");
+    QString odd = text("a\tb\n🎱ü🎱"); // also as the last letter
     const QString right = odd;
     for (const char16_t c : {u'\0', u'\x1b', u'\x7f', u'\x9b', char16_t(0xd800), char16_t(0xffff)})
         odd.insert(1, QChar(c));

@@ -78,15 +78,15 @@ QStringList otherLanguages(const Lab &lab)
 
 /// Adds what checks in Lua stop with where a student reads another language than the lab's own:
 /// they may answer in the student's.
-void addSpokenStops(const Lab &lab, const QString &language, const QString &only,
-                    const JudgeHooks &hooks, std::vector<VerifiedTask> &result)
+void addSpokenStops(const Lab &lab, const QString &language, const JudgeHooks &hooks,
+                    std::vector<VerifiedTask> &result)
 {
     const Result<Lab> spoken = readLab(*lab.files, lab.folder, language);
     if (!spoken)
         return;
     for (VerifiedTask &verified : result) {
         const int index = spoken->indexOf(verified.id);
-        if (index < 0 || (!only.isEmpty() && verified.id != only))
+        if (index < 0)
             continue;
         const Task &task = spoken->tasks[static_cast<std::size_t>(index)];
         if (std::none_of(task.checks.begin(), task.checks.end(),
@@ -153,7 +153,7 @@ std::vector<VerifiedTask> verifyLab(const Lab &lab, const QString &only, const J
     }
     const JudgeHooks quiet{.cancelled = hooks.cancelled, .provesLines = false};
     for (const QString &language : otherLanguages(lab))
-        addSpokenStops(lab, language, only, quiet, result);
+        addSpokenStops(lab, language, quiet, result);
     if (hooks.cancelled && hooks.cancelled())
         return {};
     return result;
