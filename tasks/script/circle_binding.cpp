@@ -12,8 +12,9 @@
 #include <QCoreApplication>
 
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <new>
 
 namespace cradle {
@@ -63,9 +64,13 @@ enum Companion { LastPosition = ownFieldsOfCircle + 1, LastVelocity };
 /// Vectors never change: while the circle has the same, the program gets the one that it had.
 void pushVectorOf(lua_State *L, Companion last, Vec2 value)
 {
-    lua_getiuservalue(L, 1, last);
     // 0 and -0 are two.
-    if (const Vec2 *kept = vectorAt(L, -1); kept && std::memcmp(kept, &value, sizeof value) == 0)
+    const auto isSame = [](double a, double b) {
+        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+    };
+    lua_getiuservalue(L, 1, last);
+    const Vec2 *kept = vectorAt(L, -1);
+    if (kept && isSame(kept->x, value.x) && isSame(kept->y, value.y))
         return;
     pushVector(L, value);
     lua_pushvalue(L, -1);
