@@ -21,6 +21,9 @@ private slots:
     void anOddFirstStepIsNoKnownMistake();
     void stepsInPartsAreNoFaultOfTheWalls();
     void aHundredthThatIsLostIsTold();
+    void whatGoesWrongOneWayIsTold_data();
+    void whatGoesWrongOneWayIsTold();
+    void aCircleThatIsNearIsTold();
 
 private:
     [[nodiscard]] std::vector<Finding> findings(const char *step, const QString &program) const
@@ -237,6 +240,51 @@ end)lua"));
     QCOMPARE(all.size(), std::size_t{1});
     QVERIFY2(all.front().message.startsWith(
                  QLatin1String("Hits at the walls give both circles 0.99 times the speed back")),
+             qPrintable(all.front().message));
+}
+
+void TestNearWalls::whatGoesWrongOneWayIsTold_data()
+{
+    QTest::addColumn<QString>("way");
+    QTest::newRow("never down") << "vec(v.x, math.abs(v.y))";
+    QTest::newRow("not so fast") << "vec(math.min(v.x, 2), math.min(v.y, 2))";
+    QTest::newRow("half of the angles")
+        << "vec(math.cos(math.atan(v.y / v.x)), math.sin(math.atan(v.y / v.x))) * v:length()";
+}
+
+/// Of the second, flights down or to the left, or fast ones, are wrong; the last stops at rest.
+void TestNearWalls::whatGoesWrongOneWayIsTold()
+{
+    QFETCH(QString, way);
+    const auto all =
+        findings("L42T1", QStringLiteral("function on_load() circle1.velocity = vec(2, 0) end\n"
+                                         "function on_update(dt) local v = circle1.velocity\n"
+                                         "circle1.position = circle1.position + %1 * dt end")
+                              .arg(way));
+    QCOMPARE(all.size(), std::size_t{1});
+    QVERIFY2(
+        all.front().message.startsWith(QStringLiteral("The way of circle 1 in a step is not v Δt")),
+        qPrintable(all.front().message));
+}
+
+/// In this step the circles start at the same place, and nothing happens where they meet.
+void TestNearWalls::aCircleThatIsNearIsTold()
+{
+    const auto all = findings("L42T4", losing("1") + falling + QStringLiteral(R"lua(
+function on_update(dt)
+  for _, c in ipairs(circles) do
+    local old = c.position
+    c.position = old + c.velocity * dt
+    c.velocity = c.velocity + gravity * dt
+    walls(c, old)
+  end
+  if (circle1.position - circle2.position):length() < circle1.radius + circle2.radius then
+    circle2.velocity = -circle2.velocity
+  end
+end)lua"));
+    QCOMPARE(all.size(), std::size_t{1});
+    QVERIFY2(all.front().message.startsWith(
+                 QLatin1String("Another circle that is near changes the velocity of circle 2")),
              qPrintable(all.front().message));
 }
 

@@ -5592,6 +5592,14 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
         <translation>بعد ارتدادها عند ⁨%1⁩ سرعة الدائرة ⁨%2⁩ هي ⁦%3 m/s⁩؛ وفي الخطوة التالية من ⁦%4 s⁩ تحركت ⁦%5 m⁩، وبحسب هذه السرعة تكون ⁦%6 m⁩. والسرعة أو الموضع القديم الذي يحتفظ به برنامجك في متغير خاص به يجب أن يتغير هو أيضًا عند التصادم.</translation>
     </message>
+    <message>
+        <source>Another circle that is near changes the velocity of %who</source>
+        <translation>دائرة أخرى قريبة تغيّر سرعة %who</translation>
+    </message>
+    <message>
+        <source>In your own scene it starts with %1 m/s and has %2 m/s one step later; with every other circle set elsewhere it has %3 m/s then. In this step of the lab circles go through each other: look at what compares their places.</source>
+        <translation>في مشهدك تنطلق بسرعة ⁦%1 m/s⁩ وتصير سرعتها ⁦%2 m/s⁩ بعد خطوة واحدة؛ ومع وضع كل الدوائر الأخرى في مكان آخر تكون ⁦%3 m/s⁩ حينئذ. في هذه المرحلة من المختبر تمر الدوائر بعضها عبر بعض: انظر ما الذي يقارن مواضعها.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

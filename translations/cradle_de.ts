@@ -5516,6 +5516,14 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
         <translation>An %1 umgekehrt hat Kreis %2 %3 m/s; im nächsten Schritt von %4 s ging er um %5 m weiter, und nach dieser Geschwindigkeit sind es %6 m. Auch eine Geschwindigkeit oder ein alter Ort, die dein Programm in einer eigenen Variablen behält, müssen sich bei einem Stoß ändern.</translation>
     </message>
+    <message>
+        <source>Another circle that is near changes the velocity of %who</source>
+        <translation>Ein anderer Kreis in der Nähe ändert die Geschwindigkeit von %who</translation>
+    </message>
+    <message>
+        <source>In your own scene it starts with %1 m/s and has %2 m/s one step later; with every other circle set elsewhere it has %3 m/s then. In this step of the lab circles go through each other: look at what compares their places.</source>
+        <translation>In deiner eigenen Szene startet er mit %1 m/s und hat einen Schritt später %2 m/s; sind alle anderen Kreise anderswo, hat er dann %3 m/s. In diesem Schritt des Labs gehen Kreise durcheinander hindurch: Sieh dir an, was ihre Orte vergleicht.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5516,6 +5516,14 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
         <translation>Renvoyé par %1, le cercle %2 a %3 m/s&#xa0;; au pas suivant de %4 s il a avancé de %5 m, et selon cette vitesse c&apos;est %6 m. Une vitesse ou une ancienne position que votre programme garde dans une variable à lui doit changer au choc, elle aussi.</translation>
     </message>
+    <message>
+        <source>Another circle that is near changes the velocity of %who</source>
+        <translation>Un autre cercle, proche, change la vitesse de %who</translation>
+    </message>
+    <message>
+        <source>In your own scene it starts with %1 m/s and has %2 m/s one step later; with every other circle set elsewhere it has %3 m/s then. In this step of the lab circles go through each other: look at what compares their places.</source>
+        <translation>Dans votre propre scène il part avec %1 m/s et a %2 m/s un pas plus tard&#xa0;; avec tous les autres cercles ailleurs il a alors %3 m/s. Dans cette étape du TP les cercles passent les uns à travers les autres&#xa0;: regardez ce qui compare leurs positions.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

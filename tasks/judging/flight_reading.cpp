@@ -152,15 +152,27 @@ std::optional<Flight::Step> secondStep(const Steps &run, std::size_t i)
                         after.velocity - before.velocity};
 }
 
-/// What is fast must go as far by its velocity as what is not.
-void readFastWay(Flight &flight, const Steps &run, double h, std::size_t i)
+/// What is fast, or goes the other way, must go by its velocity as the first one does.
+void readOtherWay(Flight &flight, const Steps &run, double h, std::size_t i)
 {
     const auto step = secondStep(run, i);
     if (!step || length(run.after[i].position - flight.after(run.before[i], h).position) <= 1e-6)
         return;
     flight.isWayLinear = false;
+    flight.isWayOfNew &= length(step->way - h * (step->velocity + step->turn)) <= 1e-6;
     flight.isKnown = false;
     flight.seen[1] = *step;
+}
+
+/// Whether both go v h, but for what gravity makes in a step: what rests is not known.
+void readWays(Flight &flight, const std::array<Steps, 2> &runs, double fall, double h,
+              std::size_t i)
+{
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        flight.seen[k] = secondStep(runs[k], i).value_or(Flight::Step{});
+        flight.isWayLinear &=
+            length(flight.seen[k].way - h * flight.seen[k].velocity) <= 1e-6 + 1.01 * fall;
+    }
 }
 
 /// What falls fast must get the same from gravity as what does not.
@@ -227,6 +239,7 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         && std::find(ground.timesteps.begin(), ground.timesteps.end(), h) != ground.timesteps.end();
     const Steps quick = isFurther ? Steps() : run(Scene::Fast);
     const Steps creeping = isFurther ? Steps() : run(Scene::Slow);
+    const Steps back = isFurther ? Steps() : run(Scene::Back);
     const Steps falling = isFurther || gravity == Vec2{} ? Steps() : run(Scene::Falling);
     const Steps late =
         isFurther ? Steps()
@@ -240,6 +253,8 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
             flights[i].leap = leapOf(flights[i], first, h, i);
             flights[i].leader = placedBy(first, second, i);
             flights[i].isFromLeader = flights[i].leader >= 0;
+            if (first.made && second.made)
+                readWays(flights[i], {first, second}, length(gravity) * h * h, h, i);
         }
         return flights;
     }
@@ -272,8 +287,10 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
                 flights[i].leap = leapOf(flights[i], creeping, h, i, Flight::Speed::Slow);
             if (!flights[i].leap)
                 flights[i].leap = leapOf(flights[i], falling, h, i, Flight::Speed::Fast);
-            if (!flights[i].leap)
-                readFastWay(flights[i], quick, h, i);
+            for (const Steps *other : {&quick, &back}) {
+                if (!flights[i].leap && flights[i].isWayLinear)
+                    readOtherWay(flights[i], *other, h, i);
+            }
         }
         if (flights[i].resets || flights[i].resetsX || flights[i].resetsY) {
             const auto keeps = [&](const Steps &flown) {

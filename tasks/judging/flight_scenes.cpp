@@ -42,6 +42,8 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
             c.velocity = fast * velocityOf(0, i);
         else if (scene == Scene::Slow)
             c.velocity = slow * velocityOf(0, i);
+        else if (scene == Scene::Back)
+            c.velocity = -velocityOf(0, i);
         else if (scene == Scene::Falling)
             c.velocity = {velocityOf(1, i).x, -deep - std::abs(velocityOf(0, i).x)};
         else if ((scene == Scene::Alone || scene == Scene::Apart) && i == mover)

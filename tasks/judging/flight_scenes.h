@@ -23,9 +23,22 @@ struct Steps {
 
 /// How the circles start: at rest, with two kinds of velocities that have nothing in common, in
 /// another place, one alone with a velocity, the same with all others elsewhere, all with a high
-/// one, all with a low one, all falling fast; as in First, to the places of Fast one step later,
-/// and as in Fast, to those of First.
-enum class Scene { Rest, First, Second, Shifted, Alone, Apart, Fast, Slow, Falling, Ahead, Behind };
+/// one, all with a low one, all the other way, all falling fast; as in First, to the places of Fast
+/// one step later, and as in Fast, to those of First.
+enum class Scene {
+    Rest,
+    First,
+    Second,
+    Shifted,
+    Alone,
+    Apart,
+    Fast,
+    Slow,
+    Back,
+    Falling,
+    Ahead,
+    Behind
+};
 /// After so many steps a run is late.
 inline constexpr qint64 lateSteps = 97;
 

@@ -51,6 +51,23 @@ std::optional<Vec2> MeasuredFlight::ownFallElsewhere(int i) const
                         : std::nullopt;
 }
 
+std::optional<Vec2> MeasuredFlight::ownFallApart(int i) const
+{
+    Probe probe(m_program, {m_ground.own, false});
+    if (!probe.runs())
+        return std::nullopt;
+    World world = probe.world();
+    const Preset stage = m_ground.stage();
+    for (std::size_t k = 0; k < std::min(world.circles.size(), stage.circles.size()); ++k) {
+        if (static_cast<int>(k) != i)
+            world.circles[k].position = stage.circles[k].body.position;
+    }
+    probe.place(world);
+    const Vec2 before = probe.circle(i).velocity;
+    return probe.step() ? std::optional((probe.circle(i).velocity - before) / m_own.scene.timestep)
+                        : std::nullopt;
+}
+
 const std::vector<Flight> &MeasuredFlight::at(Vec2 gravity, double h) const
 {
     const auto known =

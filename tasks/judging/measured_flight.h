@@ -56,6 +56,10 @@ public:
     /// The acceleration of circle \p i where it is set at rest somewhere else in that scene, m/s².
     [[nodiscard]] std::optional<Vec2> ownFallElsewhere(int i) const;
 
+    /// The acceleration of circle \p i in the first step of that scene where all others are set
+    /// somewhere else, m/s².
+    [[nodiscard]] std::optional<Vec2> ownFallApart(int i) const;
+
     /// The acceleration of a circle \p i at rest that is wider and denser than those of at(), m/s².
     [[nodiscard]] std::optional<Vec2> heavierFall(Vec2 gravity, double h, int i) const;
 

@@ -96,7 +96,10 @@ public:
         const MeasuredFlight::Own &own = m_own.own();
         const auto i = static_cast<std::size_t>(m_i);
         if (i >= own.accelerations.size() || own.unsteadiness(i) <= comesAgain
-            || !isAlone(own.scene, i))
+            || !isOffWalls(own.scene, i))
+            return std::nullopt;
+        const bool isAlone = !isBeside(own.scene, i);
+        if (!isAlone && m_ground.pair.asked)
             return std::nullopt;
         const double h = own.scene.timestep;
         const Vec2 v = own.scene.circles[i].body.velocity;
@@ -108,6 +111,8 @@ public:
         const Vec2 usual = m_own.at(own.scene.gravity, h, m_i).after({.velocity = v}, h).velocity;
         if (length(v + turn - usual) < 1e-6)
             return std::nullopt;
+        if (!isAlone)
+            return besideAnother(v, v + turn, fall);
         return FlightSaid{
             FlightText::tr("In your own scene the first step changes the velocity of %who"),
             FlightText::tr("It starts with %1 m/s, and has %2 m/s one step later; nothing that it "
@@ -125,22 +130,49 @@ public:
         return elsewhere && length(*elsewhere - fallen) < 1e-3 * (1.0 + length(own.scene.gravity));
     }
 
-    /// Whether circle \p i comes near no wall and no other circle in the first two steps.
-    static bool isAlone(const Preset &scene, std::size_t i)
+    /// That another circle, which is near, changes it, where none should: with the others elsewhere
+    /// it goes on rightly.
+    [[nodiscard]] std::optional<FlightSaid> besideAnother(Vec2 from, Vec2 to, Vec2 fall) const
     {
-        const auto reach = [&](const Circle &c) {
-            return c.radius + 4.0 * length(c.velocity) * scene.timestep;
-        };
+        const double h = m_own.own().scene.timestep;
+        const auto apart = m_own.ownFallApart(m_i);
+        if (!apart || length(h * *apart - fall) > 1e-6 * (1.0 + length(from)))
+            return std::nullopt;
+        return FlightSaid{
+            FlightText::tr("Another circle that is near changes the velocity of %who"),
+            FlightText::tr("In your own scene it starts with %1 m/s and has %2 m/s one step later; "
+                           "with every other circle set elsewhere it has %3 m/s then. In this step "
+                           "of the lab circles go through each other: look at what compares "
+                           "their places.")
+                .arg(brief(from), brief(to), brief(from + h * *apart)),
+            {{m_ground.own, false}, 1, {m_i}, false}};
+    }
+
+    /// How far circle \p c may come from its place in the first two steps, with its rim, m.
+    static double reach(const Preset &scene, const Circle &c)
+    {
+        return c.radius + 4.0 * length(c.velocity) * scene.timestep;
+    }
+
+    /// Whether circle \p i comes near no wall in the first two steps.
+    static bool isOffWalls(const Preset &scene, std::size_t i)
+    {
         const Circle &c = scene.circles[i].body;
-        const double most = std::max(std::abs(c.position.x), std::abs(c.position.y));
-        if (most > scene.halfWidth - reach(c))
-            return false;
+        return std::max(std::abs(c.position.x), std::abs(c.position.y))
+               <= scene.halfWidth - reach(scene, c);
+    }
+
+    /// Whether it comes near another circle.
+    static bool isBeside(const Preset &scene, std::size_t i)
+    {
+        const Circle &c = scene.circles[i].body;
         for (std::size_t k = 0; k < scene.circles.size(); ++k) {
             const Circle &other = scene.circles[k].body;
-            if (k != i && length(other.position - c.position) < reach(c) + reach(other))
-                return false;
+            if (k != i
+                && length(other.position - c.position) < reach(scene, c) + reach(scene, other))
+                return true;
         }
-        return true;
+        return false;
     }
 };
 
