@@ -25,6 +25,10 @@ private slots:
     void hitThatKeepsVelocitiesIsNotMissed();
     void chanceIsNoRule_data();
     void chanceIsNoRule();
+    void ruleOfUnequalCirclesIsTold_data();
+    void ruleOfUnequalCirclesIsTold();
+    void restOfAHitIsNoAnswer();
+    void roundedPushIsNoHistory();
 };
 
 namespace {
@@ -329,6 +333,83 @@ void TestHitKinds::chanceIsNoRule()
     QVERIFY(!all.isEmpty());
     for (const char *rule : {": all ", ": those ", "A later hit"})
         QVERIFY2(!all.contains(text(rule)), qPrintable(all));
+}
+
+void TestHitKinds::ruleOfUnequalCirclesIsTold_data()
+{
+    QTest::addColumn<QString>("answer");
+    QTest::addColumn<QString>("rule");
+    const auto row = [](const char *name, const char *question, const char *rule) {
+        QTest::addRow("%s", name) << text("if %1 then m1, m2 = 1, 1 end "
+                                          "local j = 2 * closing / (1 / m1 + 1 / m2) "
+                                          "p.velocity, q.velocity = p.velocity - j / m1 * n, "
+                                          "q.velocity + j / m2 * n")
+                                         .arg(text(question))
+                                  << text(rule);
+    };
+    row("below the middle", "p.position.y < 0",
+        "all at y = # m and above, none at y = # m and below");
+    row("right of the middle", "p.position.x > 0",
+        "all at x = # m and left of it, none at x = # m and right of it");
+    row("fast", "closing > 2", "all with up to # m/s, none with # m/s or more");
+}
+
+/// Where only some circles count as equally heavy, no power of the radius is told: of equal ones
+/// all come out right.
+void TestHitKinds::ruleOfUnequalCirclesIsTold()
+{
+    QFETCH(QString, answer);
+    QFETCH(QString, rule);
+    const LawBench bench(task(QStringLiteral("L42T14")));
+    const QStringList all = bodies(bench, {.answer = answer});
+    QCOMPARE(all.size(), qsizetype{1});
+    QVERIFY2(all[0].startsWith(text("Some hits of the two circles come out wrong")),
+             qPrintable(all[0]));
+    const auto n = told::numbersIn(
+        all[0], qPrintable(text("Of # hits of unequal circles tried, # came out right: ") + rule));
+    QVERIFY2(n.size() == 4, qPrintable(all[0]));
+    QVERIFY(n[1] > 2.0 && n[1] < n[0]);
+    QVERIFY2(all[0].contains(text("r₁ = ")), qPrintable(all[0]));
+}
+
+/// Circles that are moved apart for some steps more meet the next time before that is over.
+void TestHitKinds::restOfAHitIsNoAnswer()
+{
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    const QString start = text("left = 0");
+    const QString rest =
+        text("if left > 0 then left = left - 1 "
+             "p.position, q.position = p.position - 0.05 * n, q.position + 0.05 * n end");
+    const QString program =
+        written({.start = start,
+                 .walls = wallsOf(wallWays[1], "c.radius", "1"),
+                 .hit = text("local d = q.position - p.position local n = d:normalized() "
+                             "local closing = (p.velocity - q.velocity):dot(n) "
+                             "if closing > 0 and d:length() < p.radius + q.radius then "
+                             "p.velocity, q.velocity = p.velocity - closing * n, "
+                             "q.velocity + closing * n left = 5 end ")
+                        + rest},
+                structures[3]);
+    const MeasuredLaws own(&program, bench.ground);
+    const ConditionedAspect found = conditioned(
+        Aspect::Contact, contactDeviations(own.pair(), bench.right.pair(), bench.ground), own,
+        bench.right, bench.ground, {});
+    QCOMPARE(LawBench::headlines(found.deviations),
+             QStringList(text("A hit puts circle 1 too far away")));
+}
+
+/// What comes out wrong with other speeds is no matter of the first hit.
+void TestHitKinds::roundedPushIsNoHistory()
+{
+    const LawBench bench(task(QStringLiteral("L42T12")));
+    const QString all =
+        bodies(bench, {.mass = text("1"),
+                       .answer = text("local j = math.floor(10 * closing + 0.5) / 10 "
+                                      "p.velocity, q.velocity = p.velocity - j * n, "
+                                      "q.velocity + j * n")})
+            .join(QLatin1Char(' '));
+    QVERIFY(!all.isEmpty());
+    QVERIFY2(!all.contains(text("the first in a run")), qPrintable(all));
 }
 
 QTEST_GUILESS_MAIN(TestHitKinds)

@@ -5600,6 +5600,28 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>In your own scene it starts with %1 m/s and has %2 m/s one step later; with every other circle set elsewhere it has %3 m/s then. In this step of the lab circles go through each other: look at what compares their places.</source>
         <translation>في مشهدك تنطلق بسرعة ⁦%1 m/s⁩ وتصير سرعتها ⁦%2 m/s⁩ بعد خطوة واحدة؛ ومع وضع كل الدوائر الأخرى في مكان آخر تكون ⁦%3 m/s⁩ حينئذ. في هذه المرحلة من المختبر تمر الدوائر بعضها عبر بعض: انظر ما الذي يقارن مواضعها.</translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits of unequal circles tried with e = %2, %n came out right: %3.</source>
+        <translation>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين مع ⁦e = %2⁩، وعددها ⁨%1⁩، لم يصحّ أي تصادم: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ تصادم واحد: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ تصادمان: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n: %3.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين مع ⁦e = %2⁩، وعددها ⁨%1⁩، صحّ منها %n: %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits of unequal circles tried, %n came out right: %2.</source>
+        <translation>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، لم يصحّ أي تصادم: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، صحّ تصادم واحد: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، صحّ تصادمان: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
+            <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5524,6 +5524,20 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>In your own scene it starts with %1 m/s and has %2 m/s one step later; with every other circle set elsewhere it has %3 m/s then. In this step of the lab circles go through each other: look at what compares their places.</source>
         <translation>In deiner eigenen Szene startet er mit %1 m/s und hat einen Schritt später %2 m/s; sind alle anderen Kreise anderswo, hat er dann %3 m/s. In diesem Schritt des Labs gehen Kreise durcheinander hindurch: Sieh dir an, was ihre Orte vergleicht.</translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits of unequal circles tried with e = %2, %n came out right: %3.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Stößen ungleicher Kreise mit e = %2 ging %n richtig aus: %3.</numerusform>
+            <numerusform>Von %1 versuchten Stößen ungleicher Kreise mit e = %2 gingen %n richtig aus: %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits of unequal circles tried, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Von %1 versuchten Stößen ungleicher Kreise ging %n richtig aus: %2.</numerusform>
+            <numerusform>Von %1 versuchten Stößen ungleicher Kreise gingen %n richtig aus: %2.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5524,6 +5524,20 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>In your own scene it starts with %1 m/s and has %2 m/s one step later; with every other circle set elsewhere it has %3 m/s then. In this step of the lab circles go through each other: look at what compares their places.</source>
         <translation>Dans votre propre scène il part avec %1 m/s et a %2 m/s un pas plus tard&#xa0;; avec tous les autres cercles ailleurs il a alors %3 m/s. Dans cette étape du TP les cercles passent les uns à travers les autres&#xa0;: regardez ce qui compare leurs positions.</translation>
     </message>
+    <message numerus="yes">
+        <source>Of %1 hits of unequal circles tried with e = %2, %n came out right: %3.</source>
+        <translation>
+            <numerusform>Sur %1 chocs essayés de cercles inégaux avec e = %2, %n a donné le bon résultat&#xa0;: %3.</numerusform>
+            <numerusform>Sur %1 chocs essayés de cercles inégaux avec e = %2, %n ont donné le bon résultat&#xa0;: %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %1 hits of unequal circles tried, %n came out right: %2.</source>
+        <translation>
+            <numerusform>Sur %1 chocs essayés de cercles inégaux, %n a donné le bon résultat&#xa0;: %2.</numerusform>
+            <numerusform>Sur %1 chocs essayés de cercles inégaux, %n ont donné le bon résultat&#xa0;: %2.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -3,6 +3,7 @@
 #include "tasks/judging/pair_words.h"
 
 #include "tasks/judging/contact_comparison.h"
+#include "tasks/judging/response_law_words.h"
 
 #include <algorithm>
 #include <iterator>
@@ -35,8 +36,9 @@ public:
         // A wrong push may be what moves them.
         if (m_found.size() == before && answersRightly())
             findMisplaced();
-        // A wrong direction shows here, too; it is the response that is wrong.
-        if (!divided.isOfWay() && !isDirectionWrong())
+        // A wrong direction shows here, too, and a push that goes on when they part; it is the
+        // response that is wrong.
+        if (!divided.isOfWay() && !isDirectionWrong() && !spreadDeviation(m_own, m_right))
             take(meetingDeviations(Meetings::Parting, m_own, m_right, m_ground));
         for (const Meetings more : {Meetings::Later, Meetings::SlowOrFast}) {
             if (m_found.empty() && answersRightly())

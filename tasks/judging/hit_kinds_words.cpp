@@ -26,6 +26,12 @@ bool areRightOfEquals(const std::vector<JudgedMeeting> &hits)
     });
 }
 
+std::vector<JudgedMeeting> unequalOf(std::vector<JudgedMeeting> hits)
+{
+    std::erase_if(hits, [](const JudgedMeeting &one) { return areAlike(one.hit->meeting); });
+    return hits;
+}
+
 } // namespace
 
 /// Tells of what was found in how many of \p hits it is, where it is not in all.
@@ -48,7 +54,9 @@ void HitKinds::limitTo(LawDeviation &found, const QString &text)
 bool HitKinds::areOtherMasses(const Kinds &hits)
 {
     LawDeviation &found = m_said.deviations.front();
-    if (found.suspect != Suspect::Masses || m_ground.pair.densities.isVaried()
+    // Where many come out right, it is no formula of the masses that is wrong.
+    if (5 * rightOf(hits) > std::ssize(hits) || found.suspect != Suspect::Masses
+        || m_ground.pair.densities.isVaried()
         || !std::all_of(hits.begin(), hits.end(), [](const JudgedMeeting &one) {
                const double closing = std::abs(one.hit->meeting.closing());
                return massRatio(*one.hit)
@@ -137,7 +145,10 @@ void HitKinds::judge()
         found.front().message += countOf(hits, std::nullopt);
         return;
     }
-    LawDeviation said = kindsDeviation(all, division);
+    // Of equal circles all may come out right for another reason.
+    const Kinds unequal = unequalOf(all);
+    const auto among = division || !areRightOfEquals(all) ? std::nullopt : divisionOf(unequal);
+    LawDeviation said = among ? kindsDeviation(unequal, among) : kindsDeviation(all, division);
     // Which of them act along the line of centres has been said of the contact.
     const auto contacts = contactDeviations(m_own.pair(), m_right.pair(), m_ground);
     if (found.empty() && said.topic == Topic::Direction
@@ -164,8 +175,18 @@ QString HitKinds::countOf(const Kinds &hits, const std::optional<MeetingDivision
     const QString of = told.join(QStringLiteral(", "));
     const auto right = static_cast<int>(rightOf(hits));
     const QString all = QString::number(hits.size());
+    const bool isOfUnequal = unequalOf(hits).size() == hits.size();
     const QString text =
-        division && isOfSome
+        division && isOfUnequal && isOfSome
+            ? ConditionText::tr("Of %1 hits of unequal circles tried with e = %2, %n came out "
+                                "right: %3.",
+                                nullptr, right)
+                  .arg(all, of, division->phrase)
+        : division && isOfUnequal
+            ? ConditionText::tr("Of %1 hits of unequal circles tried, %n came out right: %2.",
+                                nullptr, right)
+                  .arg(all, division->phrase)
+        : division && isOfSome
             ? ConditionText::tr("Of %1 hits tried with e = %2, %n came out right: %3.", nullptr,
                                 right)
                   .arg(all, of, division->phrase)
@@ -226,7 +247,9 @@ LawDeviation HitKinds::kindsDeviation(const Kinds &all,
 {
     const PairHit &hit = clearlyWrong(all);
     const auto law = lawOf(all);
-    QString meeting = describeMeeting(hit, m_ground, division);
+    // Of unequal circles it counts how unequal they are.
+    const bool isOfUnequal = unequalOf(all).size() == all.size();
+    QString meeting = describeMeeting(hit, m_ground, isOfUnequal ? std::nullopt : division);
     if (m_ground.pair.restitutions.size() > 1)
         meeting += QStringLiteral(", e = ") + brief(hit.meeting.restitution);
     const QString seen = ConditionText::tr("This one came out wrong: %1.").arg(meeting)

@@ -17,7 +17,7 @@ constexpr std::array places{Vec2{-2.31, 1.87}, Vec2{1.93, 2.29},  Vec2{-1.79, -2
                             Vec2{1.61, -0.37}, Vec2{-2.53, -0.41}};
 /// How many times as fast they are, and from where they come: what is kept from one meeting is
 /// wrong in the next.
-constexpr std::array speeds{1.0, 0.8, 1.3, 0.9, 1.2, 0.7, 1.1, 1.4, 0.85, 1.25, 0.95, 1.15};
+constexpr std::array speeds{1.0, 0.8, 1.3, 0.9, 1.2, 0.7, 1.1, 1.4, 0.85, 1.0, 0.95, 1.15};
 constexpr std::array turns{0.0,   180.0, 85.0,  40.0,  265.0, 150.0,
                            200.0, 20.0,  300.0, 110.0, 240.0, 60.0}; // degrees
 /// Of a run whose first meeting is late, s: what counts the time is told from what counts meetings.
@@ -38,6 +38,28 @@ bool PairRange::meetIn(LongRun &run, PairOccasion &meeting) const
     }
     meeting.when.time = run.time();
     return run.runs();
+}
+
+/// Of a hit that goes on after its first step: for how many more; none where that takes long.
+int PairRange::stepsAfter(const PairHit &model) const
+{
+    constexpr int most = 12;
+    constexpr double smallest = 1e-9; // m and m/s
+    Probe probe(m_program, model.stage);
+    int last = 0;
+    for (int k = 1; k <= model.step + most; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (!probe.step())
+            return 0;
+        for (std::size_t i = 0; i < 2 && k > model.step; ++i) {
+            const Motion free = freely(i, before, probe.start().timestep);
+            const Circle &now = probe.circle(static_cast<int>(i));
+            if (length(now.position - free.position) + length(now.velocity - free.velocity)
+                > smallest)
+                last = k - static_cast<int>(model.step);
+        }
+    }
+    return last == most ? 0 : last;
 }
 
 std::vector<PairOccasion> PairRange::again(const PairHit &model) const
@@ -69,6 +91,7 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
     if (!meetIn(lateRun, late))
         return {};
     all.push_back(late);
+    const int rest = model.isMet() ? stepsAfter(model) : 0;
     LongRun run(m_program, m_ground, at(places.front()).hit.stage.preset);
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < waits.size(); ++k) {
@@ -80,6 +103,9 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
         one.when.pause = one.when.time - last;
         last = one.when.time;
         all.push_back(one);
+        // What is left of one hit is no answer to the next.
+        for (int step = 0; step < rest && run.runs(); ++step)
+            run.probe().step();
     }
     return all;
 }

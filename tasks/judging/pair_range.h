@@ -100,6 +100,7 @@ private:
                                 Vec2 gravity = {}) const;
     /// Those who fly on from \p circles, set so that one step brings both to where they should be.
     [[nodiscard]] std::vector<Circle> aimed(const std::vector<Circle> &circles, double h) const;
+    [[nodiscard]] int stepsAfter(const PairHit &model) const;
     /// Lets them meet in the midst of a run. \return false if that comes to nothing
     bool meetIn(LongRun &run, PairOccasion &meeting) const;
     /// The same with circle 2 at x = \p place, m.
@@ -108,6 +109,7 @@ private:
     /// What becomes of \p circles, who come nearer, in a run that begins there.
     [[nodiscard]] PairHit anew(const std::vector<Circle> &circles, double restitution) const;
     [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
+    [[nodiscard]] bool isAnsweredAnew(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);
     /// Who goes too far in a step of h is thrown so much more gently, and comes as far as others.
