@@ -74,6 +74,14 @@ void TestToldOwnHits::oldRestitutionOfTheOwnSceneIsTold()
     QVERIFY(isNear(n[1], n[0]));
     QVERIFY(isNear(n[2], 1.0));
     QCOMPARE(n[3], 0.5);
+    QVERIFY2(said.contains(text("A copy of e")), qPrintable(said));
+    // What the scene has not had before is no old value.
+    const QString other = body(
+        "L42T16", {.e = text("(p.position.y < 0.3 and p.radius == 0.2 and 0.1 or restitution)")},
+        headline, start);
+    QVERIFY2(other.contains(text("which is e = 0.1, and `restitution` is 0.5.")),
+             qPrintable(other));
+    QVERIFY2(!other.contains(text("A copy of e")), qPrintable(other));
 }
 
 /// Circle 2 has another radius before `on_load` sets it.

@@ -5622,6 +5622,10 @@ In a step that would have brought their centres to %2 m from each other, where r
             <numerusform>من التصادمات المجرّبة لدائرتين غير متساويتين، وعددها ⁨%1⁩، صحّ منها %n: %2.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
+        <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. في المشاهد الأخرى تفترقان بالسرعة مضروبةً في e. انظر ما الذي تأخذه الاستجابة هناك قيمةً لـ e، وما الذي يُسأل قبلها.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5538,6 +5538,10 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
             <numerusform>Sur %1 chocs essayés de cercles inégaux, %n ont donné le bon résultat&#xa0;: %2.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
+        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. Dans d&apos;autres scènes, ils se séparent avec e fois la vitesse. Regardez ce que la réponse prend là pour e, et ce qui est demandé avant.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

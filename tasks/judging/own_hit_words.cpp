@@ -79,13 +79,22 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, const Measured
         || !std::all_of(own.rebounds.begin(), own.rebounds.end(), isRight)
         || steppedDeviation(own, right, true))
         return std::nullopt;
+    // An old value is that which the scene has before the program.
+    const bool isOld = std::abs(parting / closing - hit.stage.preset.restitution) < 0.05;
+    const QString seen =
+        isOld
+            ? ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
+                               "`restitution` is %4. In other scenes they part with e times the "
+                               "speed. A copy of e that is made before e is set keeps the old "
+                               "value.")
+            : ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
+                               "`restitution` is %4. In other scenes they part with e times the "
+                               "speed. Look at what the answer takes for e there, and at what is "
+                               "asked before it.");
     return responseDeviation(
         ResponseText::tr("In your own scene the hit does not use the e that it has"),
-        ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
-                         "`restitution` is %4. In other scenes they part with e times the speed. "
-                         "A copy of e that is made before e is set keeps the old value.")
-            .arg(brief(closing), brief(parting), brief(parting / closing), brief(m.restitution)),
-        hit, Suspect::Copy);
+        seen.arg(brief(closing), brief(parting), brief(parting / closing), brief(m.restitution)),
+        hit, isOld ? Suspect::Copy : Suspect::Formula);
 }
 
 } // namespace cradle
