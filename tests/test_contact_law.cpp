@@ -28,6 +28,7 @@ private slots:
     void pauseAfterAHitIsNamed_data();
     void pauseAfterAHitIsNamed();
     void leapAfterAHitIsNamed();
+    void partingCirclesAreToldOfThoseWhoDoNotAsk();
     void ownHitIsThatOfTheTwo();
     void placesOfTwoMomentsAreNamed_data();
     void placesOfTwoMomentsAreNamed();
@@ -169,6 +170,27 @@ void TestContactLaw::wrongMotionIsNoFaultOfTheHits()
         const QString source = written(program, structures[3]);
         QCOMPARE(step.contact(source) + step.response(source), QStringList());
     }
+}
+
+/// Who drives parting circles apart is done with them at once, as who remembers a hit is.
+void TestContactLaw::partingCirclesAreToldOfThoseWhoDoNotAsk()
+{
+    const LawBench step(task(QStringLiteral("L42T12")));
+    const QString answer = text("local u = math.abs(closing) "
+                                "p.velocity, q.velocity = p.velocity - u * n, q.velocity + u * n");
+    const auto contact = [&](const char *approach, const char *after) {
+        LawProgram program = withHit(hitOf(hitWays[1], {.approach = QString::fromLatin1(approach),
+                                                        .mass = text("1"),
+                                                        .answer = answer + text(after)}));
+        program.start = text("touching = false");
+        program.hit = text("local d = q.position - p.position "
+                           "if d:length() >= p.radius + q.radius then touching = false end ")
+                      + program.hit;
+        return step.contact(written(program, structures[3]));
+    };
+    QCOMPARE(contact("true", ""), QStringList(text("Circles that already part are hit again")));
+    QCOMPARE(contact("not touching", " touching = true"), QStringList());
+    QCOMPARE(contact("closing > 0", ""), QStringList());
 }
 
 void TestContactLaw::returnFromTheWallTellsMemoryFromDirection()

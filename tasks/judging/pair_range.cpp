@@ -162,6 +162,7 @@ PairHit PairRange::part(const Meeting &meeting) const
     const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
     PairHit hit = meet(meeting, distance, distance, m_h, 1);
     hit.again = hit.answered && isEven() && isAnsweredAgain(hit);
+    hit.anew = hit.answered && isEven() && isAnsweredAnew(hit);
     return hit;
 }
 

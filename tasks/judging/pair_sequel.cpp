@@ -82,6 +82,30 @@ PairHit PairRange::anew(const std::vector<Circle> &circles, double restitution) 
     return hit;
 }
 
+/// Whether it is answered once more when the circles are set as they were after one step: who
+/// remembers a hit does not know that they have been apart.
+bool PairRange::isAnsweredAnew(const PairHit &hit) const
+{
+    Probe probe(m_program, hit.stage);
+    const World start = probe.world();
+    if (!probe.step())
+        return false;
+    World set = probe.world();
+    for (std::size_t i = 0; i < 2; ++i) {
+        set.circles[i].position = start.circles[i].position;
+        set.circles[i].velocity = start.circles[i].velocity;
+    }
+    probe.place(set);
+    if (!probe.step())
+        return false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec2 free = freely(i, start.circles, m_h).velocity;
+        if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-6)
+            return true;
+    }
+    return false;
+}
+
 std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
 {
     constexpr int stepsAfterwards = 6;
