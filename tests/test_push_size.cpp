@@ -21,6 +21,7 @@ private slots:
     void whatItDependsOnIsTold();
     void otherLineIsNoDepth();
     void factorOfTheRadiusIsTold();
+    void roundedPushIsTold();
     void partsOfOneCircleAreTold_data();
     void partsOfOneCircleAreTold();
 
@@ -159,6 +160,21 @@ void TestPushSize::factorOfTheRadiusIsTold()
         QVERIFY(n[0] < n[2]);
         QVERIFY(isNear(n[1], 3.0 * n[0]) && isNear(n[3], 3.0 * n[2]));
     }
+}
+
+void TestPushSize::roundedPushIsTold()
+{
+    const QString rounded = text("by whole numbers of m/s");
+    for (const char *step : {"L42T12", "L42T14"}) {
+        const QString said = bodyOf(found(text(step), text("local j = closing // 1 "
+                                                           "p.velocity = p.velocity - j * n "
+                                                           "q.velocity = q.velocity + j * n")),
+                                    text("The push has the wrong size"));
+        QVERIFY2(said.contains(rounded), qPrintable(said));
+    }
+    const QString other =
+        bodyOf(found(text("L42T12"), pushOf("closing")), text("The push has the wrong size"));
+    QVERIFY2(!other.isEmpty() && !other.contains(rounded), qPrintable(other));
 }
 
 void TestPushSize::partsOfOneCircleAreTold_data()

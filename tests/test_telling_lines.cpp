@@ -115,6 +115,13 @@ void TestTellingLines::lineIsTold()
     RanLines all = ran;
     all.now.insert(last + 1);
     QCOMPARE(tellingLine(deviation, ProgramLines(twice), rowsOf(twice), all, 0, unsound), line);
+    // The only line that rounds, where pushes are whole numbers.
+    deviation.topic = Topic::Rounding;
+    for (const char *rounds : {"a = x // 1", "a = math.floor(x)"}) {
+        const QString whole = program + QLatin1Char('\n') + QString::fromUtf8(rounds);
+        QCOMPARE(tellingLine(deviation, ProgramLines(whole), rowsOf(whole), ran, 0, unsound), last);
+    }
+    QCOMPARE(tellingLine(deviation, lines, rows, ran, 0, unsound), line);
     // Only lines that ran are asked.
     if (Suspect(suspect) == Suspect::Kept)
         QCOMPARE(tellingLine(deviation, lines, rows, {}, 0, unsound), 0);

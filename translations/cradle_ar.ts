@@ -5626,6 +5626,10 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
         <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. في المشاهد الأخرى تفترقان بالسرعة مضروبةً في e. انظر ما الذي تأخذه الاستجابة هناك قيمةً لـ e، وما الذي يُسأل قبلها.</translation>
     </message>
+    <message>
+        <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>
+        <translation>في كل التصادمات المجرّبة لدائرتين متساويتين تغيّرت السرعتان على ذلك الخط بأعداد صحيحة من ⁦m/s⁩: ابحث عمّا يقرّب عددًا، مثل ⁦`//`⁩ أو ⁦`math.floor`⁩.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

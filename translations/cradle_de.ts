@@ -5542,6 +5542,10 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
         <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In anderen Szenen trennen sie sich mit dem e-Fachen des Tempos. Sieh dir an, was die Antwort dort für e nimmt und was vorher gefragt wird.</translation>
     </message>
+    <message>
+        <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>
+        <translation>In allen versuchten Stößen gleicher Kreise änderten sich die Geschwindigkeiten längs dieser Linie um ganze Zahlen von m/s: Suche, was eine Zahl rundet, etwa `//` oder `math.floor`.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

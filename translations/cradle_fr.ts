@@ -5542,6 +5542,10 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
         <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. Dans d&apos;autres scènes, ils se séparent avec e fois la vitesse. Regardez ce que la réponse prend là pour e, et ce qui est demandé avant.</translation>
     </message>
+    <message>
+        <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>
+        <translation>Dans tous les chocs essayés de cercles égaux, les vitesses ont changé le long de cette ligne d&apos;un nombre entier de m/s&#xa0;: cherchez ce qui arrondit un nombre, comme `//` ou `math.floor`.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

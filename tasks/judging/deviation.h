@@ -45,6 +45,7 @@ enum class Topic {
     Slowness,    ///< of hits with which speeds it is
     Shares,      ///< that what parts two circles is not shared whole
     Timestep,    ///< that it is another one with another timestep
+    Rounding,    ///< that it is a whole number
     Depth,       ///< that it is another one where the rims touch early in a step
 };
 

@@ -86,6 +86,43 @@ std::vector<HitPair> equalHits(const MeasuredPair &own, const MeasuredPair &righ
     return all;
 }
 
+/// Whether every push of equal circles changes their velocities by whole numbers of m/s, where
+/// some should not.
+bool areWhole(const std::vector<HitPair> &hits)
+{
+    constexpr double blur = 4e-3;    // the line of centres turns a little in a step
+    constexpr double clearly = 0.05; // no whole number
+    constexpr int fewest = 3;        // by chance
+    int fractions = 0;
+    for (const auto &[mine, good] : hits) {
+        const PairVelocities in = mine->cameParts();
+        const PairVelocities out = mine->leftParts();
+        const PairVelocities right = rightFor(in, *good);
+        const auto offWhole = [&](double part) {
+            const double push = mine->slowness * part;
+            return std::abs(push - std::round(push));
+        };
+        if (offWhole(out.along1 - in.along1) > blur || offWhole(out.along2 - in.along2) > blur)
+            return false;
+        fractions += offWhole(right.along1 - in.along1) > clearly ? 1 : 0;
+    }
+    return fractions >= fewest;
+}
+
+/// What is seen of pushes that differ for the same circles.
+SizeOfPush otherSize(const std::vector<HitPair> &hits)
+{
+    SizeOfPush size{ResponseText::tr("The push has the wrong size")};
+    if (areWhole(hits)) {
+        size.seen = QLatin1Char(' ')
+                    + ResponseText::tr("In all hits of equal circles tried the velocities changed "
+                                       "along that line by whole numbers of m/s: look for what "
+                                       "rounds a number, such as `//` or `math.floor`.");
+        size.isRounded = true;
+    }
+    return size;
+}
+
 /// Between what the size of the push lies in steps of the usual length, if it is not the same in
 /// all by some share of \p factor.
 std::optional<std::pair<double, double>> rangeOfPush(const MeasuredPair &own,
@@ -121,7 +158,7 @@ SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right, const 
         if (isAlike(other / factor, 1.0, 0.01))
             continue;
         if (o.radius1 == m.radius1 && o.density1 == m.density1)
-            return {ResponseText::tr("The push has the wrong size")};
+            return otherSize(equalHits(own, right));
         if (o.density1 == m.density1)
             return {
                 ResponseText::tr("The push has a wrong size that depends on the radius"),

@@ -243,6 +243,8 @@ private:
         else {
             const SizeOfPush size = sizeOfPush(m_own, m_right, hit, right);
             add(size.headline, describeEquals(hit, right) + size.seen, hit);
+            if (size.isRounded)
+                m_reading.said->topic = Topic::Rounding;
             if (!size.isOfEveryE)
                 limitToE(hit);
         }

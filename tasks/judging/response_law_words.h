@@ -39,6 +39,7 @@ struct SizeOfPush {
     QString headline{};
     QString seen{};         ///< on what it depends; begins with a blank
     bool isOfEveryE = true; ///< of those that were tried
+    bool isRounded = false; ///< to whole numbers
 };
 /// A factor is told only if circles of another size, and in a longer step, follow it, too.
 [[nodiscard]] SizeOfPush sizeOfPush(const MeasuredPair &own, const MeasuredPair &right,

@@ -178,14 +178,13 @@ int startLine(const ProgramLines &program, int line)
     return found;
 }
 
-/// The only line of those that run at the moment that works an angle out of a
-/// direction; 0 if there is none, or several.
-int angleLine(const QStringList &rows, const RanLines &ran)
+/// The only line of those that run at the moment that has \p sought in it; 0 if there is none, or
+/// several.
+int onlyLineWith(const QRegularExpression &sought, const QStringList &rows, const RanLines &ran)
 {
-    static const QRegularExpression angle(QStringLiteral("\\bmath\\.(atan|asin|acos)\\b"));
     int found = 0;
     for (const int line : ran.now) {
-        if (line < 1 || line > rows.size() || !rows[line - 1].contains(angle))
+        if (line < 1 || line > rows.size() || !rows[line - 1].contains(sought))
             continue;
         if (found != 0)
             return 0;
@@ -233,7 +232,12 @@ std::vector<int> withRestitution(const std::vector<int> &lines, const QStringLis
 int tellingLine(const LawDeviation &deviation, const ProgramLines &program, const QStringList &rows,
                 const RanLines &ran, int last, const std::function<bool(int)> &isSound)
 {
-    if (const int line = deviation.topic == Topic::Direction ? angleLine(rows, ran) : 0)
+    static const QRegularExpression angle(QStringLiteral("\\bmath\\.(atan|asin|acos)\\b"));
+    static const QRegularExpression rounds(
+        QStringLiteral("//|\\bmath\\.(floor|ceil|tointeger|modf)\\b"));
+    if (const int line = deviation.topic == Topic::Direction  ? onlyLineWith(angle, rows, ran)
+                         : deviation.topic == Topic::Rounding ? onlyLineWith(rounds, rows, ran)
+                                                              : 0)
         return line;
     if (deviation.topic == Topic::Timestep)
         return steppedLine(program, rows, ran, true);
