@@ -5,6 +5,7 @@
 #include "tasks/judging/condition_words.h"
 #include "tasks/judging/finding_list.h"
 #include "tasks/judging/floor_fall_words.h"
+#include "tasks/judging/hidden_aspects.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/own_meeting_words.h"
 #include "tasks/judging/own_wall_words.h"
@@ -22,10 +23,6 @@
 namespace cradle {
 
 namespace {
-
-struct JudgeText {
-    Q_DECLARE_TR_FUNCTIONS(Findings)
-};
 
 /// Measures, compares and finds words for one submission.
 class Judge
@@ -65,8 +62,8 @@ public:
             }
             if (!m_deviations.isAsked(aspect) || (aspect == Aspect::Motion && isTurned())
                 || (aspect == Aspect::Response && m_unchanged)
-                || (aspect == Aspect::Walls && hidesWalls())
-                || (aspect != Aspect::Motion && (m_motion.isOfPlace || hidesHits())))
+                || (aspect == Aspect::Walls && hidesWalls(m_motion))
+                || (aspect != Aspect::Motion && (m_motion.isOfPlace || hidesHits(m_motion))))
                 continue;
             ConditionedAspect said = withConditions(aspect);
             if (const auto fall = isOfNearness(said.deviations) ? floorFall() : std::nullopt)
@@ -79,47 +76,17 @@ public:
                 takeOwnWalls();
             }
         }
-        tellUnseen();
+        if (m_found->has(Aspect::Motion)) {
+            const QString unseen = unseenText(m_motion, m_own, m_right, m_ground, m_deviations);
+            if (!unseen.isEmpty())
+                m_found->tellBehind(Aspect::Motion, unseen);
+        }
         takeMissedMeeting();
         takeRestitution();
         return m_found->take();
     }
 
 private:
-    /// That nothing is known of walls or hits yet, behind what is wrong with the motion.
-    void tellUnseen()
-    {
-        if (!m_found->has(Aspect::Motion))
-            return;
-        const bool walls = hasUnseenWalls();
-        const bool hits = hasUnseenHits();
-        if (!walls && !hits)
-            return;
-        m_found->tellBehind(
-            Aspect::Motion,
-            walls && hits
-                ? JudgeText::tr("Until this is right, no more can be said of walls and hits.")
-            : walls
-                ? JudgeText::tr("Until this is right, no more can be said of the walls.")
-                : JudgeText::tr(
-                    "Until this is right, no more can be said of the hits of the two circles."));
-    }
-
-    /// Whether a failed check asks for walls, and at none is a circle known to come to them.
-    [[nodiscard]] bool hasUnseenWalls() const
-    {
-        return m_deviations.isAsked(Aspect::Walls) && !m_right.walls().judged.empty()
-               && (m_motion.isOfPlace || hidesWalls() || m_own.walls().judged.empty());
-    }
-
-    [[nodiscard]] bool hasUnseenHits() const
-    {
-        const auto isMet = [](const PairHit &hit) { return hit.isMet(); };
-        const std::vector<PairHit> &right = m_right.pair().contacts;
-        return m_ground.pair.asked && !m_own.pair().isJudged
-               && std::any_of(right.begin(), right.end(), isMet);
-    }
-
     /// The e of the own scene, after what else is wrong with the start.
     void takeRestitution()
     {
@@ -222,27 +189,6 @@ private:
         m_ground.pair.room = std::clamp((room - around) / most, 0.0, 1.0);
     }
 
-    /// Whether hits cannot be seen through what is wrong with the motion.
-    [[nodiscard]] bool hidesHits() const
-    {
-        return std::any_of(m_motion.deviations.begin(), m_motion.deviations.end(),
-                           [](const LawDeviation &each) { return each.hidesHits; });
-    }
-
-    /// Whether what is shot at walls does not show what they do.
-    [[nodiscard]] bool hidesWalls() const
-    {
-        return std::any_of(m_motion.deviations.begin(), m_motion.deviations.end(),
-                           [](const LawDeviation &each) { return each.hidesWalls; });
-    }
-
-    /// Whether the circles do not fly as asked; another integrator moves them almost alike.
-    [[nodiscard]] bool isMotionWrong() const
-    {
-        return std::any_of(m_motion.deviations.begin(), m_motion.deviations.end(),
-                           [](const LawDeviation &each) { return !each.isMethod; });
-    }
-
     /// Whether what looks like a wall that turns both circles may be a hit of the two.
     [[nodiscard]] bool isContactWrong() const
     {
@@ -256,7 +202,8 @@ private:
         // What the own scene shows, other than the measured ones, is seen through its motion.
         std::erase_if(found, [&](const LawDeviation &each) {
             return (m_unchanged && each.moment.circles == std::vector<int>{*m_unchanged})
-                   || (aspect != Aspect::Motion && !each.moment.stage.pinned && isMotionWrong())
+                   || (aspect != Aspect::Motion && !each.moment.stage.pinned
+                       && isMotionWrong(m_motion))
                    || (each.family == QLatin1String("of two") && isContactWrong());
         });
         // How they fly is not always the same, or not near walls: nor is what comes of it.
