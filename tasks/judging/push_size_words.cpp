@@ -98,8 +98,8 @@ bool areWhole(const std::vector<HitPair> &hits)
         const PairVelocities in = mine->cameParts();
         const PairVelocities out = mine->leftParts();
         const PairVelocities right = rightFor(in, *good);
-        const auto offWhole = [&](double part) {
-            const double push = mine->slowness * part;
+        const auto offWhole = [slowness = mine->slowness](double part) {
+            const double push = slowness * part;
             return std::abs(push - std::round(push));
         };
         if (offWhole(out.along1 - in.along1) > blur || offWhole(out.along2 - in.along2) > blur)
