@@ -180,7 +180,7 @@ void TestFindings::oneFaultIsToldOnce_data()
                 f.integrate.replace(lab("gravity"), lab("pull"));
             });
     row("L42T15", "mass of before the start",
-        "The masses in your own scene are not those of its circles", [](OtherForm &f) {
+        "In your own scene the circles answer as if they had other masses", [](OtherForm &f) {
             f.start = lab("cube = circle2.radius ^ 3 ") + f.start;
             f.mass = lab("c.density * (c.index == 2 and cube or c.radius ^ 3)");
         });

@@ -104,8 +104,9 @@ void TestKeptValues::lateMassesAreNamedBesideTheirPower()
                              "circle2.position, circle2.velocity = vec(1, 0), vec(-1, 0) "
                              "circle1.density, circle2.density = 1, 2");
         QCOMPARE(bench.response(written(program, structures[structure])),
-                 (QStringList{text("The mass grows with r to the power of 2, not 3"),
-                              text("The masses in your own scene are not those of its circles")}));
+                 (QStringList{
+                     text("The mass grows with r to the power of 2, not 3"),
+                     text("In your own scene the circles answer as if they had other masses")}));
     }
 }
 

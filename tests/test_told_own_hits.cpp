@@ -44,7 +44,7 @@ void TestToldOwnHits::oldMassesOfTheOwnSceneAreTold()
         "circle2.position, circle2.velocity = vec(1, 0), vec(0, 0)");
     const QString said =
         body("L42T16", {.mass = text("mass[c.index]"), .e = e},
-             text("The masses in your own scene are not those of its circles"), start);
+             text("In your own scene the circles answer as if they had other masses"), start);
     const auto n =
         numbersIn(said, "There circle 2 answers as if it were # times as heavy as circle "
                         "1; with its radii # and # m and densities # and # it is # "
@@ -55,6 +55,15 @@ void TestToldOwnHits::oldMassesOfTheOwnSceneAreTold()
     QCOMPARE(n[2], 0.3);
     QVERIFY(n[3] == 4.0 && n[4] == 4.0);
     QVERIFY(isNear(n[5], 3.375));
+    QVERIFY2(said.contains(text("So it is with radii or densities from before")), qPrintable(said));
+    // What the scene has not had before is none such.
+    const QString other =
+        body("L42T16",
+             {.mass = text("(c.radius == 0.31 and 5 or 1) * c.density * c.radius ^ 3"), .e = e},
+             text("In your own scene the circles answer as if they had other masses"),
+             QString(start).replace(QLatin1String("0.3 "), QLatin1String("0.31 ")));
+    QVERIFY2(other.contains(text("Look at what the answer takes for the masses")),
+             qPrintable(other));
 }
 
 void TestToldOwnHits::oldRestitutionOfTheOwnSceneIsTold()

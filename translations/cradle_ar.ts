@@ -2855,12 +2855,20 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>في لقاءات بخطوة زمنية قدرها ⁦%1 s⁩ كان بين ⁨%2⁩ و⁨%3⁩ ضعفًا مما ينبغي أن يكون.</translation>
     </message>
     <message>
-        <source>The masses in your own scene are not those of its circles</source>
-        <translation>الكتلتان في مشهدك ليستا كتلتي دائرتيه</translation>
+        <source>In your own scene the circles answer as if they had other masses</source>
+        <translation>في مشهدك تستجيب الدائرتان كأن لهما كتلتين أخريين</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>فيه تستجيب الدائرتان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ ومع نصفي القطرين ⁨%2⁩ و⁦%3 m⁩ والكثافتين ⁨%4⁩ و⁨%5⁩ فالعامل ⁨%6⁩. في المشاهد الأخرى تصحّ الكتلتان. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right.</source>
+        <translation>فيه تستجيب الدائرتان كأن كتلة الدائرة 2 تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ ومع نصفي القطرين ⁨%2⁩ و⁦%3 m⁩ والكثافتين ⁨%4⁩ و⁨%5⁩ فالعامل ⁨%6⁩. في المشاهد الأخرى تصحّ الكتلتان.</translation>
+    </message>
+    <message>
+        <source>So it is with radii or densities from before `on_load`: a mass that is worked out before they are set keeps the old value. Look at the order there, and at what is asked before the answer.</source>
+        <translation>هكذا يكون الأمر مع أنصاف أقطار أو كثافات من قبل ⁦`on_load`⁩: الكتلة التي تُحسب قبل ضبطها تحتفظ بالقيمة القديمة. انظر إلى الترتيب هناك، وما الذي يُسأل قبل الاستجابة.</translation>
+    </message>
+    <message>
+        <source>Look at what the answer takes for the masses there, and at what is asked before it.</source>
+        <translation>انظر ما الذي تأخذه الاستجابة هناك كتلتين، وما الذي يُسأل قبلها.</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
@@ -3027,12 +3035,16 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>من دائرتين متساويتين تغادر الدائرة 1 التصادم كما جاءت</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>هناك تستجيب الدائرة 2 كأن كتلتها تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ وبحسب ما يفعله برنامجك في المشاهد الأخرى يكون العامل ⁨%2⁩. الكتلة التي تُحسب قبل ضبط نصف القطر والكثافة تحتفظ بالقيمة القديمة: انظر إلى الترتيب في ⁦`on_load`⁩.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times.</source>
+        <translation>هناك تستجيب الدائرة 2 كأن كتلتها تساوي كتلة الدائرة 1 مضروبةً في ⁨%1⁩؛ وبحسب ما يفعله برنامجك في المشاهد الأخرى يكون العامل ⁨%2⁩.</translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. في المشاهد الأخرى تفترقان بالسرعة مضروبةً في e. نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In %5 hits tried in other scenes they part with e times the speed.</source>
+        <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. في ⁨%5⁩ من التصادمات التي جُرّبت في مشاهد أخرى تفترقان بالسرعة مضروبةً في e.</translation>
+    </message>
+    <message>
+        <source>A copy of e that is made before e is set keeps the old value.</source>
+        <translation>نسخةٌ من e صُنعت قبل ضبط e تحتفظ بالقيمة القديمة.</translation>
     </message>
     <message>
         <source>A later hit is answered along the line of an earlier one</source>
@@ -5623,8 +5635,8 @@ In a step that would have brought their centres to %2 m from each other, where r
         </translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
-        <translation>التقتا بسرعة ⁦%1 m/s⁩ وافترقتا بسرعة ⁦%2 m/s⁩، أي ⁦e = %3⁩، و⁦`restitution`⁩ هو ⁨%4⁩. في المشاهد الأخرى تفترقان بالسرعة مضروبةً في e. انظر ما الذي تأخذه الاستجابة هناك قيمةً لـ e، وما الذي يُسأل قبلها.</translation>
+        <source>Look at what the answer takes for e there, and at what is asked before it.</source>
+        <translation>انظر ما الذي تأخذه الاستجابة هناك قيمةً لـ e، وما الذي يُسأل قبلها.</translation>
     </message>
     <message>
         <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>

@@ -2723,8 +2723,8 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>In Begegnungen mit einem Zeitschritt von %1 s war er zwischen dem %2- und dem %3-Fachen dessen, was er sein soll.</translation>
     </message>
     <message>
-        <source>The masses in your own scene are not those of its circles</source>
-        <translation>Die Massen in deiner eigenen Szene sind nicht die ihrer Kreise</translation>
+        <source>In your own scene the circles answer as if they had other masses</source>
+        <translation>In deiner eigenen Szene antworten die Kreise, als hätten sie andere Massen</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
@@ -2839,8 +2839,16 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Niemand hält den anderen Kreis fest wie eine Wand: Sieh nach, was jeder Kreis vom anderen bekommt.</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. In anderen Szenen stimmen die Massen. Eine Masse, die berechnet wird, bevor Radius und Dichte gesetzt sind, behält den alten Wert: Sieh dir die Reihenfolge in `on_load` an.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right.</source>
+        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; mit den Radien %2 und %3 m und den Dichten %4 und %5 ist er es %6-mal. In anderen Szenen stimmen die Massen.</translation>
+    </message>
+    <message>
+        <source>So it is with radii or densities from before `on_load`: a mass that is worked out before they are set keeps the old value. Look at the order there, and at what is asked before the answer.</source>
+        <translation>So ist es mit Radien oder Dichten von vor `on_load`: Eine Masse, die berechnet wird, bevor sie gesetzt sind, behält den alten Wert. Sieh dir die Reihenfolge dort an und was vor der Antwort gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Look at what the answer takes for the masses there, and at what is asked before it.</source>
+        <translation>Sieh dir an, was die Antwort dort für die Massen nimmt und was vorher gefragt wird.</translation>
     </message>
     <message>
         <source>With r₁ = %1 and r₂ = %2 m, ρ₁ = %3 and ρ₂ = %4, e = %5: </source>
@@ -3003,12 +3011,16 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Von zwei gleichen Kreisen geht Kreis 1 aus dem Stoß, wie er kam</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; so wie dein Programm in anderen Szenen rechnet, wäre er es %2-mal. Eine Masse, die errechnet wird, bevor Radius und Dichte gesetzt sind, behält den alten Wert: Sieh dir die Reihenfolge in `on_load` an.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times.</source>
+        <translation>Dort antwortet Kreis 2, als wäre er %1-mal so schwer wie Kreis 1; so wie dein Programm in anderen Szenen rechnet, wäre er es %2-mal.</translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In anderen Szenen trennen sie sich mit dem e-Fachen des Tempos. Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In %5 hits tried in other scenes they part with e times the speed.</source>
+        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In %5 Stößen, die in anderen Szenen versucht wurden, trennen sie sich mit dem e-Fachen des Tempos.</translation>
+    </message>
+    <message>
+        <source>A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Eine Kopie von e, die entsteht, bevor e gesetzt ist, behält den alten Wert.</translation>
     </message>
     <message>
         <source>A later hit is answered along the line of an earlier one</source>
@@ -5539,8 +5551,8 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         </translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
-        <translation>Sie trafen sich mit %1 m/s und trennten sich mit %2 m/s, das ist e = %3, und `restitution` ist %4. In anderen Szenen trennen sie sich mit dem e-Fachen des Tempos. Sieh dir an, was die Antwort dort für e nimmt und was vorher gefragt wird.</translation>
+        <source>Look at what the answer takes for e there, and at what is asked before it.</source>
+        <translation>Sieh dir an, was die Antwort dort für e nimmt und was vorher gefragt wird.</translation>
     </message>
     <message>
         <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>

@@ -2831,12 +2831,20 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Dans des rencontres avec un pas de temps de %1 s, elle valait entre %2 et %3 fois ce qu&apos;elle devrait.</translation>
     </message>
     <message>
-        <source>The masses in your own scene are not those of its circles</source>
-        <translation>Les masses dans votre propre scène ne sont pas celles de ses cercles</translation>
+        <source>In your own scene the circles answer as if they had other masses</source>
+        <translation>Dans votre propre scène, les cercles réagissent comme s&apos;ils avaient d&apos;autres masses</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. Dans d&apos;autres scènes, les masses sont justes. Une masse calculée avant que rayon et masse volumique soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; with its radii %2 and %3 m and densities %4 and %5 it is %6 times. In other scenes the masses come out right.</source>
+        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; avec ses rayons %2 et %3 m et ses masses volumiques %4 et %5, c&apos;est %6 fois. Dans d&apos;autres scènes, les masses sont justes.</translation>
+    </message>
+    <message>
+        <source>So it is with radii or densities from before `on_load`: a mass that is worked out before they are set keeps the old value. Look at the order there, and at what is asked before the answer.</source>
+        <translation>C&apos;est ce que donnent des rayons ou des masses volumiques d&apos;avant `on_load`&#xa0;: une masse calculée avant qu&apos;ils soient fixés garde l&apos;ancienne valeur. Regardez l&apos;ordre là, et ce qui est demandé avant la réponse.</translation>
+    </message>
+    <message>
+        <source>Look at what the answer takes for the masses there, and at what is asked before it.</source>
+        <translation>Regardez ce que la réponse prend là pour les masses, et ce qui est demandé avant.</translation>
     </message>
     <message>
         <source>In your own scene the hit does not use the e that it has</source>
@@ -3003,12 +3011,16 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>De deux cercles égaux, le cercle 1 repart du choc comme il est venu</translation>
     </message>
     <message>
-        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times. A mass that is worked out before radius and density are set keeps the old value: look at the order in `on_load`.</source>
-        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; comme votre programme le fait dans d&apos;autres scènes, ce serait %2 fois. Une masse calculée avant que le rayon et la masse volumique soient fixés garde l&apos;ancienne valeur&#xa0;: regardez l&apos;ordre dans `on_load`.</translation>
+        <source>There circle 2 answers as if it were %1 times as heavy as circle 1; as your program does in other scenes, it would be %2 times.</source>
+        <translation>Là, le cercle 2 réagit comme s&apos;il était %1 fois aussi lourd que le cercle 1&#xa0;; comme votre programme le fait dans d&apos;autres scènes, ce serait %2 fois.</translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. A copy of e that is made before e is set keeps the old value.</source>
-        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. Dans d&apos;autres scènes, ils se séparent avec e fois la vitesse. Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
+        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In %5 hits tried in other scenes they part with e times the speed.</source>
+        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. Dans %5 chocs essayés dans d&apos;autres scènes, ils se séparent avec e fois la vitesse.</translation>
+    </message>
+    <message>
+        <source>A copy of e that is made before e is set keeps the old value.</source>
+        <translation>Une copie de e faite avant que e soit fixé garde l&apos;ancienne valeur.</translation>
     </message>
     <message>
         <source>A later hit is answered along the line of an earlier one</source>
@@ -5539,8 +5551,8 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         </translation>
     </message>
     <message>
-        <source>They met with %1 m/s and parted with %2 m/s, which is e = %3, and `restitution` is %4. In other scenes they part with e times the speed. Look at what the answer takes for e there, and at what is asked before it.</source>
-        <translation>Ils se sont rencontrés à %1 m/s et séparés à %2 m/s, soit e = %3, et `restitution` vaut %4. Dans d&apos;autres scènes, ils se séparent avec e fois la vitesse. Regardez ce que la réponse prend là pour e, et ce qui est demandé avant.</translation>
+        <source>Look at what the answer takes for e there, and at what is asked before it.</source>
+        <translation>Regardez ce que la réponse prend là pour e, et ce qui est demandé avant.</translation>
     </message>
     <message>
         <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>

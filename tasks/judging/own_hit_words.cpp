@@ -11,6 +11,26 @@ namespace cradle {
 
 namespace {
 
+/// Whether a ratio of masses is that of the circles with some radius or density that they had
+/// before the program set it.
+bool isOfOldValues(const PairHit &hit, double ratio, const MassExponents &masses)
+{
+    const Circle &first = hit.stage.preset.circles[0].body;
+    const Circle &second = hit.stage.preset.circles[1].body;
+    constexpr double nearer = 0.1; // than with the values that the program has set
+    const auto offBy = [&](const Meeting &m) { return std::abs(masses.ratioOf(m) / ratio - 1.0); };
+    for (unsigned old = 1; old < 16; ++old) {
+        Meeting m = hit.meeting;
+        m.radius1 = old & 1 ? first.radius : m.radius1;
+        m.radius2 = old & 2 ? second.radius : m.radius2;
+        m.density1 = old & 4 ? first.density : m.density1;
+        m.density2 = old & 8 ? second.density : m.density2;
+        if (offBy(m) < nearer * offBy(hit.meeting))
+            return true;
+    }
+    return false;
+}
+
 /// That the masses in \p hit are not those that the program has elsewhere.
 std::optional<LawDeviation> ownMasses(const PairHit &hit, const MeasuredPair &own, bool isElseRight)
 {
@@ -31,23 +51,27 @@ std::optional<LawDeviation> ownMasses(const PairHit &hit, const MeasuredPair &ow
             own.equals.front(), Suspect::Masses);
     if (std::abs(*heavy - wanted) <= (isHeadOn(hit) ? 1e-5 : 0.02) * wanted)
         return std::nullopt;
-    return responseDeviation(
-        ResponseText::tr("The masses in your own scene are not those of its circles"),
+    const bool isOld = isOfOldValues(hit, *heavy, p);
+    const QString seen =
         isElseRight
             ? ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
                                "circle 1; with its radii %2 and %3 m and densities %4 and %5 "
-                               "it is %6 times. In other scenes the masses come out right. A mass "
-                               "that is worked out before radius and density are set keeps the "
-                               "old value: look at the order in `on_load`.")
+                               "it is %6 times. In other scenes the masses come out right.")
                   .arg(motion::figureBeside(*heavy, wanted), brief(m.radius1), brief(m.radius2),
                        brief(m.density1), brief(m.density2), motion::figureBeside(wanted, *heavy))
-            : ResponseText::tr(
-                  "There circle 2 answers as if it were %1 times as heavy as circle 1; "
-                  "as your program does in other scenes, it would be %2 times. A mass "
-                  "that is worked out before radius and density are set keeps the old "
-                  "value: look at the order in `on_load`.")
-                  .arg(motion::figureBeside(*heavy, wanted), motion::figureBeside(wanted, *heavy)),
-        hit, Suspect::Masses);
+            : ResponseText::tr("There circle 2 answers as if it were %1 times as heavy as "
+                               "circle 1; as your program does in other scenes, it would be %2 "
+                               "times.")
+                  .arg(motion::figureBeside(*heavy, wanted), motion::figureBeside(wanted, *heavy));
+    const QString look =
+        isOld ? ResponseText::tr("So it is with radii or densities from before `on_load`: a mass "
+                                 "that is worked out before they are set keeps the old value. Look "
+                                 "at the order there, and at what is asked before the answer.")
+              : ResponseText::tr("Look at what the answer takes for the masses there, and at what "
+                                 "is asked before it.");
+    return responseDeviation(
+        ResponseText::tr("In your own scene the circles answer as if they had other masses"),
+        seen + QLatin1Char(' ') + look, hit, isOld ? Suspect::Masses : Suspect::Formula);
 }
 
 } // namespace
@@ -82,19 +106,18 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, const Measured
     // An old value is that which the scene has before the program.
     const bool isOld = std::abs(parting / closing - hit.stage.preset.restitution) < 0.05;
     const QString seen =
-        isOld
-            ? ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
-                               "`restitution` is %4. In other scenes they part with e times the "
-                               "speed. A copy of e that is made before e is set keeps the old "
-                               "value.")
-            : ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
-                               "`restitution` is %4. In other scenes they part with e times the "
-                               "speed. Look at what the answer takes for e there, and at what is "
-                               "asked before it.");
+        ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
+                         "`restitution` is %4. In %5 hits tried in other scenes they part with e "
+                         "times the speed.")
+            .arg(brief(closing), brief(parting), brief(parting / closing), brief(m.restitution))
+            .arg(own.rebounds.size());
+    const QString look =
+        isOld ? ResponseText::tr("A copy of e that is made before e is set keeps the old value.")
+              : ResponseText::tr("Look at what the answer takes for e there, and at what is asked "
+                                 "before it.");
     return responseDeviation(
         ResponseText::tr("In your own scene the hit does not use the e that it has"),
-        seen.arg(brief(closing), brief(parting), brief(parting / closing), brief(m.restitution)),
-        hit, isOld ? Suspect::Copy : Suspect::Formula);
+        seen + QLatin1Char(' ') + look, hit, isOld ? Suspect::Copy : Suspect::Formula);
 }
 
 } // namespace cradle

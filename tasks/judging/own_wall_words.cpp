@@ -90,7 +90,8 @@ QString toldOf(const WallRebound &rebound, double e)
 }
 
 /// What is wrong with some of \p all.
-/// \param isKept  with each the same share came back, and other scenes are right
+/// \param isKept  with each the e came back that the scene had before the program, and other
+///                scenes are right
 LawDeviation otherShares(const std::vector<WallRebound> &all, const WallRebound &shown, double e,
                          bool isKept, const Preset &scene)
 {
@@ -227,10 +228,10 @@ std::optional<LawDeviation> ownWallShare(const Task &task, SubmissionRuns &runs,
                                         [](const WallRebound &each) { return !each.isRight; });
         if (wrong == all.end())
             continue;
+        const double old = runs.submission().preset.restitution;
         const bool isKept = !failsElsewhere(task, checks)
                             && std::all_of(all.begin(), all.end(), [&](const WallRebound &each) {
-                                   return std::abs(each.share() - wrong->share())
-                                          <= sameShare + each.blur + wrong->blur;
+                                   return std::abs(each.share() - old) <= sameShare + each.blur;
                                });
         return otherShares(all, *wrong, run.variant.preset.restitution, isKept,
                            runs.submission().preset);
