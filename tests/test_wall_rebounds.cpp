@@ -20,6 +20,7 @@ private slots:
     void withoutLossesIsTold();
     void lawsAreTriedToABlur();
     void velocityOfTheOtherIsTold();
+    void partAlongTimesEIsTold();
     void ownSpeedIsOneSpeed();
     void heldIsTold();
 };
@@ -178,6 +179,24 @@ void TestWallRebounds::velocityOfTheOtherIsTold()
     QVERIFY(saidOf(0.0, 0.06, true) != headline);
 }
 
+/// Who turns the part along the wall round, times e, has the parts mixed up.
+void TestWallRebounds::partAlongTimesEIsTold()
+{
+    const QString headline = utf8("At the %walls the parts of the velocity of %who are mixed up");
+    const MeasuredWalls right = made::wallsOf({});
+    const auto saidOf = [&](double factor) {
+        MeasuredWalls own = right;
+        for (WallHit &hit : own.hits) {
+            const Vec2 n = outwardNormal(hit.wall);
+            const double along = std::abs(dot(hit.came, perpendicular(n)));
+            made::give(hit, factor * hit.restitution * along / dot(hit.came, n), 1.0);
+        }
+        return wordsOf(own, right, made::wallGround()).headline;
+    };
+    QCOMPARE(saidOf(1.0), headline);
+    QVERIFY(saidOf(1.2) != headline);
+}
+
 /// To a fiftieth, of speeds that differ by more than a tenth.
 void TestWallRebounds::ownSpeedIsOneSpeed()
 {
@@ -218,6 +237,11 @@ void TestWallRebounds::heldIsTold()
         QCOMPARE(words.headline, utf8("Hits at the %walls hold %who and turn no velocity round"));
         QCOMPARE(words.why.contains(utf8("in every step")), stays);
     }
+    own.hits[0].turnsLater = 2;
+    own.hits[0].stage.preset.timestep = 0.01;
+    const ReboundWords words = wordsOf(own, right, made::wallGround());
+    QCOMPARE(words.headline, utf8("Hits at the %walls turn the velocity of %who round too late"));
+    QVERIFY(words.why.contains(utf8("away from the wall only 0.02 s later.")));
 }
 
 QTEST_GUILESS_MAIN(TestWallRebounds)

@@ -3367,6 +3367,14 @@ Until this is right, no more can be said of walls and hits.</source>
         <translation>التصادمات عند %walls تمسك %who ولا تعكس أي سرعة</translation>
     </message>
     <message>
+        <source>Hits at the %walls turn the velocity of %who round too late</source>
+        <translation>التصادمات عند %walls تعكس متأخرةً السرعة لـ %who</translation>
+    </message>
+    <message>
+        <source>It is put back at once, and its velocity points away from the wall only %1 s later.</source>
+        <translation>تُعاد الدائرة في الحال، ولا تشير سرعتها بعيدًا عن الجدار إلا بعد ⁦%1 s⁩.</translation>
+    </message>
+    <message>
         <source>It is put back in every step and runs into it again.</source>
         <translation>تُعاد الدائرة في كل خطوة ثم تندفع إليه من جديد.</translation>
     </message>

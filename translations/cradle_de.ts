@@ -3343,6 +3343,14 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
         <translation>Stöße an %walls halten %who auf und kehren keine Geschwindigkeit um</translation>
     </message>
     <message>
+        <source>Hits at the %walls turn the velocity of %who round too late</source>
+        <translation>Stöße an %walls kehren die Geschwindigkeit zu spät um, für %who</translation>
+    </message>
+    <message>
+        <source>It is put back at once, and its velocity points away from the wall only %1 s later.</source>
+        <translation>Der Kreis wird sofort zurückgesetzt, und erst %1 s später zeigt seine Geschwindigkeit von der Wand weg.</translation>
+    </message>
+    <message>
         <source>It is put back in every step and runs into it again.</source>
         <translation>Der Kreis wird in jedem Schritt zurückgesetzt und läuft wieder hinein.</translation>
     </message>

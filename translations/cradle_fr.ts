@@ -3343,6 +3343,14 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
         <translation>Les chocs contre %walls retiennent %who et n&apos;inversent aucune vitesse</translation>
     </message>
     <message>
+        <source>Hits at the %walls turn the velocity of %who round too late</source>
+        <translation>Les chocs contre %walls inversent trop tard la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>It is put back at once, and its velocity points away from the wall only %1 s later.</source>
+        <translation>Le cercle est remis en place aussitôt, et sa vitesse ne s&apos;éloigne de la paroi que %1 s plus tard.</translation>
+    </message>
+    <message>
         <source>It is put back in every step and runs into it again.</source>
         <translation>Le cercle est remis en place à chaque pas et repart contre elle.</translation>
     </message>

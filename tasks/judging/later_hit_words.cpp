@@ -48,7 +48,8 @@ std::optional<LawDeviation> laterDeviation(const MeasuredPair &own, const Measur
     const auto off = [](Vec2 n, const PairHit &hit) {
         return std::min(std::abs(cross(n, hit.normal)), std::abs(cross(n, hit.nextNormal)));
     };
-    if (off(n1, one) < 0.1 && off(n2, two) > 0.15 && length(n2 - n1) < 1e-3) {
+    constexpr double sameLine = 0.02; // rad: what is farther off is another's
+    if (off(n1, one) < sameLine && off(n2, two) > 0.15 && length(n2 - n1) < 1e-3) {
         return responseDeviation(
             ResponseText::tr("A later hit is answered along the line of an earlier one"),
             ResponseText::tr("Two circles met with their line of centres at %1°, and again, "

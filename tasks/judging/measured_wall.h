@@ -25,6 +25,7 @@ struct WallHit {
     bool missed = false;    ///< it never came to the wall
     bool turned = false;    ///< its velocity changed at the wall
     bool held = false;      ///< it was put back, but its velocity did not change
+    int turnsLater = 0;     ///< how many steps later that points away from the wall; 0: never seen
     double before = 0.0;    ///< of the centre from the wall in the state before it was answered
     double reached = 0.0;   ///< and where it would have got in that step
     double travel = 0.0;    ///< way of a step towards the wall

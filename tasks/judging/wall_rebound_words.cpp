@@ -32,6 +32,11 @@ public:
         const auto same = [](double e) { return e; };
         const QString normalOnly =
             WallText::tr("Where nothing rubs, a push points along the normal only.");
+        if (hit.held && hit.turnsLater > 0)
+            return {WallText::tr("Hits at the %walls turn the velocity of %who round too late"),
+                    WallText::tr("It is put back at once, and its velocity points away from the "
+                                 "wall only %1 s later.")
+                        .arg(brief(hit.turnsLater * hit.stage.preset.timestep))};
         if (hit.held)
             return {WallText::tr("Hits at the %walls hold %who and turn no velocity round"),
                     hit.stays ? WallText::tr("It is put back in every step and runs into it again.")
@@ -104,16 +109,19 @@ private:
     }
 
     /// Whether in all of them the part into the wall afterwards is as large as that along it was
-    /// before, or the other way round.
+    /// before, or e times as large, or the other way round.
     [[nodiscard]] bool isOfOtherPart(const std::vector<std::size_t> &odd) const
     {
         const auto isEqual = [&](double a, double b) { return isNear(std::abs(a), std::abs(b)); };
+        const auto isOf = [&](double made, double came, const WallHit &hit) {
+            return isEqual(made, came) || (rebounds() && isEqual(made, hit.restitution * came));
+        };
         return odd.size() > 1 && std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
                    const WallHit &hit = m_own.hits[i];
                    const Vec2 n = outwardNormal(hit.wall);
                    const Vec2 t = perpendicular(n);
-                   return isEqual(dot(hit.left, n), dot(hit.came, t))
-                          || (isEqual(dot(hit.left, t), dot(hit.came, n))
+                   return isOf(dot(hit.left, n), dot(hit.came, t), hit)
+                          || (isOf(dot(hit.left, t), dot(hit.came, n), hit)
                               && !isEqual(dot(hit.left, t), dot(hit.came, t)));
                });
     }

@@ -165,6 +165,8 @@ void WallRange::follow(WallHit &hit, Probe &probe) const
         const bool staysThere = dot(n, now.position - c.position) > -smallShare * hit.travel
                                 && dot(n, now.position - free.position) > 0.5 * hit.travel;
         unmoved = leaves && staysThere && k == unmoved ? unmoved + 1 : unmoved;
+        if (hit.turnsLater == 0 && dot(n, now.velocity) < 0.0 && dot(n, free.velocity) > 0.0)
+            hit.turnsLater = k + 1;
         if (k == 0)
             next = {c, {now.position, now.velocity}, free, hit.step + 1};
         c = now;
