@@ -139,8 +139,8 @@ void TestNearWalls::aVelocityOfItsOwnIsTold()
     QFETCH(QString, program);
     const auto all = findings("L42T2", program);
     QCOMPARE(all.size(), std::size_t{1});
-    QVERIFY2(all.front().message.startsWith(QStringLiteral(
-                 "After hits at the walls circle 1 does not move as its velocity says")),
+    QVERIFY2(all.front().message.startsWith(
+                 QStringLiteral("After hits at the walls the way of circle 1 is not v Δt")),
              qPrintable(all.front().message));
 }
 

@@ -5605,7 +5605,7 @@ In a step that would have brought their centres to %2 m from each other, where r
         <translation>انظر ما الذي يسأل عنه برنامجك هناك قبل أن تصل الحافة إلى الجدار.</translation>
     </message>
     <message>
-        <source>After hits at the %walls %who does not move as its velocity says</source>
+        <source>After hits at the %walls the way of %who is not v Δt</source>
         <translation>بعد التصادمات عند %walls لا تتبع حركة %who السرعة</translation>
     </message>
     <message>

@@ -5529,7 +5529,7 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <translation>Sieh dir an, was dein Programm dort fragt, bevor der Rand an der Wand ist.</translation>
     </message>
     <message>
-        <source>After hits at the %walls %who does not move as its velocity says</source>
+        <source>After hits at the %walls the way of %who is not v Δt</source>
         <translation>Nach Stößen an %walls folgt die Bewegung von %who nicht der Geschwindigkeit</translation>
     </message>
     <message>

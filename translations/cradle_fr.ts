@@ -5529,7 +5529,7 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <translation>Regardez ce que votre programme demande à cet endroit avant que le bord soit contre la paroi.</translation>
     </message>
     <message>
-        <source>After hits at the %walls %who does not move as its velocity says</source>
+        <source>After hits at the %walls the way of %who is not v Δt</source>
         <translation>Après les chocs contre %walls, le mouvement de %who ne suit pas sa vitesse</translation>
     </message>
     <message>

@@ -51,7 +51,7 @@ public:
             const Vec2 is = seen.now.position - seen.was.position;
             const Vec2 asked = seen.free.position - seen.was.position;
             return deviation(
-                WallText::tr("After hits at the %walls %who does not move as its velocity says"),
+                WallText::tr("After hits at the %walls the way of %who is not v Δt"),
                 WallText::tr("Turned round at the %1, circle %2 has %3 m/s; in the next step of "
                              "%4 s it went %5 m, and by that velocity it is %6 m. A velocity or "
                              "an old place that your program keeps in a variable of its own must "
