@@ -17,6 +17,7 @@ bool isOfOldValues(const PairHit &hit, double ratio, const MassExponents &masses
 {
     const Circle &first = hit.stage.preset.circles[0].body;
     const Circle &second = hit.stage.preset.circles[1].body;
+    constexpr double sameRatio = 0.02;
     constexpr double nearer = 0.1; // than with the values that the program has set
     const auto offBy = [&](const Meeting &m) { return std::abs(masses.ratioOf(m) / ratio - 1.0); };
     for (unsigned old = 1; old < 16; ++old) {
@@ -25,7 +26,7 @@ bool isOfOldValues(const PairHit &hit, double ratio, const MassExponents &masses
         m.radius2 = old & 2 ? second.radius : m.radius2;
         m.density1 = old & 4 ? first.density : m.density1;
         m.density2 = old & 8 ? second.density : m.density2;
-        if (offBy(m) < nearer * offBy(hit.meeting))
+        if (offBy(m) < std::min(sameRatio, nearer * offBy(hit.meeting)))
             return true;
     }
     return false;
