@@ -82,8 +82,11 @@ public:
             CheckOutcome &outcome = report.checks.back();
             if (m_wrongMover && plan.check->kind != QLatin1String("start")) {
                 outcome.passed = false;
-                outcome.message = CheckerText::tr("not judged: what moves the circles is not what "
-                                                  "the step asks for");
+                outcome.message =
+                    report.byProgram
+                        ? CheckerText::tr("not judged: what moves the circles is not what the step "
+                                          "asks for")
+                        : CheckerText::tr("not judged: your program does not move the circles");
                 done += static_cast<int>(plan.variants.size());
                 continue;
             }
