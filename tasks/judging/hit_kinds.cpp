@@ -128,8 +128,10 @@ bool HitKinds::isLawOf(const Kinds &hits) const
 std::optional<ResponseLaw> HitKinds::saidLaw() const
 {
     const std::vector<ResponseLaw> laws = knownResponses();
+    const QString &said = m_said.deviations.front().message;
+    // Two that are told apart by their reason have one headline.
     const auto at = std::find_if(laws.begin(), laws.end(), [&](const ResponseLaw &law) {
-        return m_said.deviations.front().message.startsWith(law.headline);
+        return said.startsWith(law.headline) && said.contains(law.body);
     });
     return at == laws.end() ? std::nullopt : std::optional(*at);
 }
