@@ -91,6 +91,14 @@ void TestToldOwnHits::oldRestitutionOfTheOwnSceneIsTold()
     QVERIFY2(other.contains(text("which is e = 0.1, and `restitution` is 0.5.")),
              qPrintable(other));
     QVERIFY2(!other.contains(text("A copy of e")), qPrintable(other));
+    // Nor is what counts along one line of centres alone.
+    const QString level =
+        body("L42T16",
+             {.e = text("(math.abs(q.position.y - p.position.y) < 1e-6 and 1 or restitution)")},
+             headline,
+             QString(start).replace(QLatin1String("vec(-1, 0.1)"), QLatin1String("vec(-1, 0)")));
+    QVERIFY2(level.contains(text("which is e = 1, and `restitution` is 0.5.")), qPrintable(level));
+    QVERIFY2(level.contains(text("Look at what the answer takes for e there")), qPrintable(level));
 }
 
 /// Circle 2 has another radius before `on_load` sets it.

@@ -232,6 +232,8 @@ MeasuredPair::MeasuredPair(const QString *program, const Ground &ground,
         isJudged = isJudged && std::none_of(hits->begin(), hits->end(), stopped);
     if (range.isUsual()) {
         own = range.own();
+        if (own && std::abs(own->rebound() - own->meeting.restitution) > 0.05)
+            ownTurned = range.ownTurned(*own);
         inSteps = range.inSteps(equalMeeting(asked), e);
         spread = range.spread(inSteps.front());
     }

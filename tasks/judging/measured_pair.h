@@ -173,9 +173,11 @@ struct MeasuredPair {
     std::vector<PairHit> partings{}; ///< they overlap and move apart: nothing should happen
     std::optional<PairHit> twice{};  ///< they met, move apart, and are hit again
     std::optional<PairHit> own{};    ///< the first hit of the student's own scene
-    int ownContacts = 0;             ///< how often they meet again when a wall sends one back
-    bool ranThrough = false;         ///< and whether it ran through the other then
-    bool ranThroughAtOnce = false;   ///< only from so near a wall that it is back at once
+    /// Where that does not rebound with its e: the same along another line of centres.
+    std::optional<PairHit> ownTurned{};
+    int ownContacts = 0;           ///< how often they meet again when a wall sends one back
+    bool ranThrough = false;       ///< and whether it ran through the other then
+    bool ranThroughAtOnce = false; ///< only from so near a wall that it is back at once
     /// What became of a run that begins just before it ran through, if it did.
     std::optional<PairHit> ranThroughAnew{};
     std::vector<PairHit> varied{};      ///< where some are missed: thrown in many ways

@@ -104,8 +104,10 @@ std::optional<LawDeviation> ownDeviation(const MeasuredPair &own, const Measured
         || !std::all_of(own.rebounds.begin(), own.rebounds.end(), isRight)
         || steppedDeviation(own, right, true))
         return std::nullopt;
-    // An old value is that which the scene has before the program.
-    const bool isOld = std::abs(parting / closing - hit.stage.preset.restitution) < 0.05;
+    // An old value is that which the scene has before the program, along every line of centres.
+    const double before = hit.stage.preset.restitution;
+    const bool isOld = std::abs(parting / closing - before) < 0.05 && own.ownTurned
+                       && std::abs(own.ownTurned->rebound() - before) < 0.05;
     const QString seen =
         ResponseText::tr("They met with %1 m/s and parted with %2 m/s, which is e = %3, and "
                          "`restitution` is %4. In %5 hits tried in other scenes they part with e "

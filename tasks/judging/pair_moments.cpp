@@ -30,6 +30,37 @@ std::vector<PairHit> PairRange::chases() const
     return hits;
 }
 
+std::optional<PairHit> PairRange::ownTurned(const PairHit &own) const
+{
+    constexpr double turn = 0.6; // rad
+    constexpr int mostSteps = 60;
+    const auto turned = [](Vec2 v) {
+        return Vec2{std::cos(turn) * v.x - std::sin(turn) * v.y,
+                    std::sin(turn) * v.x + std::cos(turn) * v.y};
+    };
+    PairHit hit{.meeting = own.meeting, .stage = own.stage};
+    Probe probe(m_program, hit.stage);
+    if (!probe.runs())
+        return std::nullopt;
+    const Preset &scene = probe.start();
+    const Vec2 n = turned(own.normal);
+    World world = probe.world();
+    const double apart = own.meeting.sum() + 2.5 * scene.timestep * own.meeting.closing();
+    for (const int i : {0, 1}) {
+        Circle &c = world.circles[static_cast<std::size_t>(i)];
+        c.position = own.meeting.middle + (i == 0 ? -0.5 : 0.5) * apart * n;
+        c.velocity = turned(i == 0 ? own.came1 : own.came2);
+    }
+    probe.place(world);
+    for (int k = 1; k <= mostSteps && !hit.answered; ++k) {
+        const std::vector<Circle> before = probe.world().circles;
+        if (isNearWall(before[0]) || isNearWall(before[1]) || !probe.step())
+            return std::nullopt;
+        note(hit, before, probe, k, scene.gravity);
+    }
+    return hit.answered ? std::optional(hit) : std::nullopt;
+}
+
 std::vector<PairHit> measurePairChases(const QString *program, const Ground &ground,
                                        const MeasuredFlight &flight)
 {

@@ -74,6 +74,8 @@ public:
 
     /// The first hit of the pair in the student's own scene.
     [[nodiscard]] std::optional<PairHit> own() const;
+    /// That hit in the same scene along another line of centres: circles are set just before it.
+    [[nodiscard]] std::optional<PairHit> ownTurned(const PairHit &own) const;
 
     /// Circle 2, pushed, comes back from the wall behind it: how often they meet, and whether it
     /// runs through circle 1.
