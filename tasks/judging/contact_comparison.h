@@ -89,6 +89,10 @@ distanceDeviations(const MeasuredPair &own, const MeasuredPair &right, const Gro
 /// apart they are answered depends on what they fly in a step.
 [[nodiscard]] std::optional<LawDeviation> momentsDeviation(const std::vector<PairHit> &chases);
 
+/// That of two meetings which touch early and late in a step one is not answered.
+[[nodiscard]] std::optional<LawDeviation> missedInStep(const MeasuredPair &own,
+                                                       const MeasuredPair &right);
+
 /// Which of the meetings that are looked at.
 enum class Meetings {
     Parting, ///< of circles that have met already

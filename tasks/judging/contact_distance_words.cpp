@@ -27,10 +27,58 @@ private:
     {
         const auto sum = [](const PairHit &hit) { return hit.meeting.sum(); };
         if (fitsAll(sum))
-            return;
+            return findFineDistance();
         const PairHit &hit = farthestOff();
+        const auto fits = [this](const ContactTest &test) { return fitsAll(test.distance); };
+        if (!findTest(hit, fits))
+            findOtherDistance(hit);
+    }
+
+    /// Where the steps of the meetings are too long to tell, what those of others in very short
+    /// ones show, if they were far from where they are answered when these began.
+    void findFineDistance()
+    {
+        constexpr double least = 0.01; // of r₁ + r₂
+        std::vector<const PairHit *> all;
+        for (const auto *hits : {&m_own.equals, &m_own.radii, &m_own.sizes}) {
+            for (const PairHit &hit : *hits) {
+                if (hit.isMet() && !hit.isAtOnce)
+                    all.push_back(&hit);
+            }
+        }
+        const auto off = [](const PairHit *hit) {
+            return std::abs(0.5 * (hit->before + hit->reached) - hit->meeting.sum());
+        };
+        const auto at = std::max_element(
+            all.begin(), all.end(), [&](const auto *a, const auto *b) { return off(a) < off(b); });
+        if (at == all.end() || (*at)->fits((*at)->meeting.sum())
+            || off(*at) < least * (*at)->meeting.sum())
+            return;
+        const PairHit &hit = **at;
+        const auto fits = [&](const ContactTest &test) {
+            return fitsAll(test.distance)
+                   && std::all_of(all.begin(), all.end(),
+                                  [&](const auto *h) { return h->fits(test.distance(*h)); });
+        };
+        if (findTest(hit, fits))
+            return;
+        const bool early = hit.reached > hit.meeting.sum();
+        const bool isOfAll = std::all_of(all.begin(), all.end(), [&](const PairHit *h) {
+            return !h->fits(h->meeting.sum()) && (h->reached > h->meeting.sum()) == early;
+        });
+        add(isOfAll ? (early ? ContactText::tr("The circles answer before they touch")
+                             : ContactText::tr("The circles answer too late"))
+            : early ? ContactText::tr("Some meetings are answered before they touch")
+                    : ContactText::tr("Some meetings are answered too late"),
+            seen(hit) + QLatin1Char(' ') + rimsTouch(hit), hit, Suspect::Reach);
+    }
+
+    /// Tells of the first test that \p fits. \return whether one does
+    template <class Fits>
+    bool findTest(const PairHit &hit, Fits fits)
+    {
         for (const ContactTest &test : contactTests()) {
-            if (!isTold(test.distance) || !fitsAll(test.distance))
+            if (!isTold(test.distance) || !fits(test))
                 continue;
             QString body = test.body;
             body.replace(QLatin1String("%1"), brief(hit.meeting.sum()));
@@ -40,9 +88,15 @@ private:
             add(test.headline, body, hit, Suspect::Reach);
             if (test.isOfParts)
                 m_found.back().topic = Topic::Distance;
-            return;
+            return true;
         }
-        findOtherDistance(hit);
+        return false;
+    }
+
+    static QString rimsTouch(const PairHit &hit)
+    {
+        return ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 m.")
+            .arg(brief(hit.meeting.sum()));
     }
 
     /// Of all meetings, with other radii, too.
@@ -146,11 +200,17 @@ private:
 
     static QString seen(const PairHit &hit)
     {
-        const double degrees = hit.meeting.degrees;
-        return ContactText::tr("With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their "
-                               "centres were between %4 and %5 m apart.")
-            .arg(brief(hit.meeting.radius1), brief(hit.meeting.radius2), brief(degrees),
-                 brief(hit.reached), brief(hit.before));
+        const Meeting &m = hit.meeting;
+        const QString least = brief(hit.reached);
+        const QString most = brief(hit.before);
+        const QString text =
+            least == most
+                ? ContactText::tr("With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when "
+                                  "their centres were %4 m apart.")
+                : ContactText::tr("With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when "
+                                  "their centres were between %4 and %5 m apart.");
+        const QString told = text.arg(brief(m.radius1), brief(m.radius2), brief(m.degrees), least);
+        return least == most ? told : told.arg(most);
     }
 
     void findOtherDistance(const PairHit &hit)
@@ -170,10 +230,7 @@ private:
             return h.meeting.radius1 == hit.meeting.radius1
                    && h.meeting.radius2 == hit.meeting.radius2 && isInTime(h);
         });
-        QString body = seen(hit) + QLatin1Char(' ')
-                       + ContactText::tr("Rims touch where the centres are r₁ + r₂ apart, here %1 "
-                                         "m.")
-                             .arg(brief(hit.meeting.sum()));
+        QString body = seen(hit) + QLatin1Char(' ') + rimsTouch(hit);
         const auto inTime = std::count_if(m_own.contacts.begin(), m_own.contacts.end(), isInTime);
         const auto missed = std::count_if(m_own.contacts.begin(), m_own.contacts.end(),
                                           [](const PairHit &h) { return !h.answered; });

@@ -87,6 +87,9 @@ std::vector<ContactTest> contactTests()
         ContactText::tr("the difference of the radii"));
     add([](double a, double b) { return 2.0 * std::max(a, b); },
         ContactText::tr("twice the larger radius"));
+    add([](double a, double b) { return std::sqrt(a * a + b * b); },
+        QStringLiteral("√(r₁² + r₂²)"));
+    add([](double a, double b) { return 2.0 * std::sqrt(a * b); }, QStringLiteral("2 √(r₁ r₂)"));
     add([](double a, double b) { return 2.0 * (a + b); },
         ContactText::tr("the sum of the diameters"));
     return all;

@@ -44,6 +44,8 @@ public:
             if (m_found.empty() && answersRightly())
                 take(meetingDeviations(more, m_own, m_right, m_ground));
         }
+        if (const auto missed = m_found.empty() ? missedInStep(m_own, m_right) : std::nullopt)
+            m_found.push_back(*missed);
         if (m_found.empty())
             findOwn();
         return std::move(m_found);
