@@ -5,6 +5,7 @@
 #include "tasks/judging/condition_words.h"
 #include "tasks/judging/finding_list.h"
 #include "tasks/judging/floor_fall_words.h"
+#include "tasks/judging/floor_rest_words.h"
 #include "tasks/judging/hidden_aspects.h"
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/own_meeting_words.h"
@@ -15,6 +16,7 @@
 #include "tasks/judging/turned_circles.h"
 #include "tasks/judging/unchanged_words.h"
 #include "tasks/judging/unread_field.h"
+#include "tasks/judging/wall_together_words.h"
 #include "tasks/script/script_limits.h"
 
 #include <algorithm>
@@ -68,12 +70,16 @@ public:
             ConditionedAspect said = withConditions(aspect);
             if (const auto fall = isOfNearness(said.deviations) ? floorFall() : std::nullopt)
                 said.deviations = {*fall};
+            // Others lie on that floor, too.
+            if (const auto lost = isOf(said.deviations, "held") ? together() : std::nullopt)
+                said.deviations = {*lost};
             take(aspect, said.deviations);
             if (aspect == Aspect::Motion)
                 m_motion = std::move(said);
             if (aspect == Aspect::Walls) {
                 takeFallAtFloor();
                 takeOwnWalls();
+                takeStagedWalls();
             }
         }
         if (m_found->has(Aspect::Motion)) {
@@ -143,15 +149,38 @@ private:
             take(Aspect::Walls, {*fall});
     }
 
+    /// What only other circles at walls or long rests show, where walls fail and nothing is known
+    /// of it.
+    void takeStagedWalls()
+    {
+        const QString *program = m_submission.program();
+        if (!m_deviations.isAsked(Aspect::Walls) || !m_found->all().empty() || !program
+            || m_task.solution.isEmpty() || m_own.walls().judged.empty())
+            return;
+        auto found = together();
+        if (!found)
+            found = restAtFloor(*program, m_task.solution, m_ground);
+        if (found)
+            take(Aspect::Walls, {*found});
+    }
+
     [[nodiscard]] std::optional<LawDeviation> floorFall() const
     {
         return fallAtFloor(m_submission.program(), m_ground, m_own.flight());
     }
 
     /// Whether steps near walls are not those of free flight: all else there is seen through them.
-    static bool isOfNearness(const std::vector<LawDeviation> &walls)
+    static bool isOfNearness(const std::vector<LawDeviation> &walls) { return isOf(walls, "near"); }
+    static bool isOf(const std::vector<LawDeviation> &walls, const char *family)
     {
-        return !walls.empty() && walls.front().family == QLatin1String("near");
+        return !walls.empty() && walls.front().family == QLatin1String(family);
+    }
+
+    [[nodiscard]] std::optional<LawDeviation> together() const
+    {
+        return m_submission.program() && !m_task.solution.isEmpty()
+                   ? wallsTogether(*m_submission.program(), m_task.solution, m_ground)
+                   : std::nullopt;
     }
 
     /// Instructions that an update takes; a program of the lab takes some hundred.

@@ -169,7 +169,10 @@ private:
                          .arg(drop.circle + 1)
                          .arg(brief(static_cast<double>(drop.step) * drop.stage.preset.timestep),
                               brief(drop.depth), brief(drop.restitution)),
-                     {drop.stage, drop.step, {drop.circle}, true}});
+                     {drop.stage, drop.step, {drop.circle}, true},
+                     Suspect::Answer,
+                     0,
+                     QStringLiteral("held")});
                 return;
             }
         }
