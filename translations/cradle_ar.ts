@@ -980,6 +980,10 @@
         <translation>قطعت الدائرة ⁨%1⁩ مسافة ⁦%2 m⁩ في ⁦%3 s⁩؛ يجب أن يُرى قطرها ⁦%4 m⁩ على الأقل للحكم على بقائهما معًا</translation>
     </message>
     <message>
+        <source>not judged: your program does not move the circles</source>
+        <translation>لم يُحكم عليه: برنامجك لا يحرّك الدوائر</translation>
+    </message>
+    <message>
         <source>not judged: what moves the circles is not what the step asks for</source>
         <translation>لم يُحكم عليه: ما يحرّك الدوائر ليس ما تطلبه المرحلة</translation>
     </message>
@@ -5649,6 +5653,90 @@ In a step that would have brought their centres to %2 m from each other, where r
     <message>
         <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>
         <translation>في كل التصادمات المجرّبة لدائرتين متساويتين تغيّرت السرعتان على ذلك الخط بأعداد صحيحة من ⁦m/s⁩: ابحث عمّا يقرّب عددًا، مثل ⁦`//`⁩ أو ⁦`math.floor`⁩.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were %4 m apart.</source>
+        <translation>مع ⁦r₁ = %1 m⁩ و⁦r₂ = %2 m⁩، واللقاء عند ⁦%3°⁩، استجابتا حين كانت المسافة بين مركزيهما ⁦%4 m⁩.</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after a quarter of a step of %1 s, they were answered; where after two thirds, they ran into each other.</source>
+        <translation>حين تلامست الحافتان بعد ربع خطوة من ⁦%1 s⁩ استجابتا؛ وبعد ثلثيها دخلت إحداهما في الأخرى.</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after two thirds of a step of %1 s, they were answered; where after a quarter, they ran into each other.</source>
+        <translation>حين تلامست الحافتان بعد ثلثي خطوة من ⁦%1 s⁩ استجابتا؛ وبعد ربعها دخلت إحداهما في الأخرى.</translation>
+    </message>
+    <message>
+        <source>Whether a hit is answered depends on where in a step they touch</source>
+        <translation>هل يُجاب عن التصادم يتوقف على موضع التلامس من الخطوة</translation>
+    </message>
+    <message>
+        <source>Look at how the moment of the hit is worked out, and at what is done with circles that overlap already.</source>
+        <translation>انظر كيف تُحسب لحظة التصادم، وماذا يُفعل بدائرتين متداخلتين أصلًا.</translation>
+    </message>
+    <message>
+        <source>On the floor the speed of %who along it changes</source>
+        <translation>على الأرضية تتغير السرعة الموازية لها، لـ %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 was let go %2 m above the floor with %3 m/s along it, and had %4 m/s along it %5 s later; %3 m/s is right. Where nothing rubs, a push points along the normal only: look at what slow hits at the floor change.</source>
+        <translation>أُفلتت الدائرة ⁨%1⁩ على ارتفاع ⁦%2 m⁩ فوق الأرضية بسرعة ⁦%3 m/s⁩ موازية لها، وبعد ⁦%5 s⁩ كانت سرعتها الموازية ⁦%4 m/s⁩؛ الصواب ⁦%3 m/s⁩. حيث لا احتكاك لا تؤثر الدفعة إلا على امتداد الناظم: انظر ماذا تغيّر التصادمات البطيئة عند الأرضية.</translation>
+    </message>
+    <message>
+        <source>Above the floor gravity stops moving %who</source>
+        <translation>فوق الأرضية لا تعود الجاذبية تحرّك %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 was let go at rest %2 m above the floor, and from %3 s on it stood still %4 m above it, where nothing holds it. Look at what keeps a circle still, and at whether it lies on the floor then.</source>
+        <translation>أُفلتت الدائرة ⁨%1⁩ ساكنة على ارتفاع ⁦%2 m⁩ فوق الأرضية، ومن ⁦%3 s⁩ فصاعدًا بقيت ساكنة على ارتفاع ⁦%4 m⁩ فوقها، حيث لا شيء يمسكها. انظر ما الذي يُبقي الدائرة ساكنة، وهل تكون حينئذ على الأرضية.</translation>
+    </message>
+    <message>
+        <source>At the %walls the part along the wall comes into the rebound of %who</source>
+        <translation>عند %walls تدخل المركّبة الموازية للجدار في الارتداد، لـ %who</translation>
+    </message>
+    <message>
+        <source>With %1 m/s into the wall and %2 m/s along it, %3 times the part into it comes back; with %4 m/s along it %5 times. The part along a wall should not count there.</source>
+        <translation>مع ⁦%1 m/s⁩ نحو الجدار و⁦%2 m/s⁩ موازية له ترجع المركّبة التي نحوه مضروبةً في ⁨%3⁩؛ ومع ⁦%4 m/s⁩ موازية له مضروبةً في ⁨%5⁩. ينبغي ألّا تُحسب هناك المركّبة الموازية للجدار.</translation>
+    </message>
+    <message>
+        <source>A wall turns the speed round; no fixed amount is added to it or taken from it.</source>
+        <translation>الجدار يعكس السرعة؛ لا يُضاف إليها مقدار ثابت ولا يُؤخذ منها.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take a fixed amount of speed from %who</source>
+        <translation>التصادمات عند %walls تأخذ من سرعة %who مقدارًا ثابتًا</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls add a fixed amount of speed to %who</source>
+        <translation>التصادمات عند %walls تضيف إلى سرعة %who مقدارًا ثابتًا</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with about %1 m/s too little.</source>
+        <translation>من كل سرعة جُرّبت تغادر بما ينقص نحو ⁦%1 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with about %1 m/s too much.</source>
+        <translation>من كل سرعة جُرّبت تغادر بما يزيد نحو ⁦%1 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>Its velocity points away from the wall only %1 s later, in steps of %2 s.</source>
+        <translation>لا تشير سرعتها بعيدًا عن الجدار إلا بعد ⁦%1 s⁩، بخطوات من ⁦%2 s⁩.</translation>
+    </message>
+    <message>
+        <source>In a step in which circle %1 hits a wall, circle %2 hits none</source>
+        <translation>في الخطوة التي تصطدم فيها الدائرة ⁨%1⁩ بجدار لا تصطدم الدائرة ⁨%2⁩ بأي جدار</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, circle %2 came to the %3, and circle %5 with %4 m/s to the %6 in the same step: circle %2 was turned in it, and circle %5 was not. Alone it is. Look at what your program leaves out when the other circle is hit.</source>
+        <translation>قُذفت الدائرة ⁨%2⁩ بسرعة ⁦%1 m/s⁩ فجاءت إلى ⁨%3⁩، وجاءت الدائرة ⁨%5⁩ بسرعة ⁦%4 m/s⁩ إلى ⁨%6⁩ في الخطوة نفسها: رُدّت فيها الدائرة ⁨%2⁩ ولم تُردّ الدائرة ⁨%5⁩. وحدها تُردّ. انظر ماذا يترك برنامجك حين تُصاب الدائرة الأخرى.</translation>
+    </message>
+    <message>
+        <source>From every speed and with every e tried it leaves with about %1 m/s less than it came with.</source>
+        <translation>من كل سرعة ومع كل e جُرّب تغادر بأقل مما جاءت به بنحو ⁦%1 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>From every speed and with every e tried it leaves with about %1 m/s more than it came with.</source>
+        <translation>من كل سرعة ومع كل e جُرّب تغادر بأكثر مما جاءت به بنحو ⁦%1 m/s⁩.</translation>
     </message>
 </context>
 <context>

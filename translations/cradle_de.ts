@@ -988,6 +988,10 @@
         <translation>Kreis %1 kam in %3 s %2 m weit; mindestens sein Durchmesser von %4 m muss zu sehen sein, um zu beurteilen, ob sie zusammenbleiben</translation>
     </message>
     <message>
+        <source>not judged: your program does not move the circles</source>
+        <translation>nicht beurteilt: Dein Programm bewegt die Kreise nicht</translation>
+    </message>
+    <message>
         <source>not judged: what moves the circles is not what the step asks for</source>
         <translation>nicht beurteilt: Die Kreise bewegt nicht, was der Schritt verlangt</translation>
     </message>
@@ -5565,6 +5569,90 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
     <message>
         <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>
         <translation>In allen versuchten Stößen gleicher Kreise änderten sich die Geschwindigkeiten längs dieser Linie um ganze Zahlen von m/s: Suche, was eine Zahl rundet, etwa `//` oder `math.floor`.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were %4 m apart.</source>
+        <translation>Mit r₁ = %1 m und r₂ = %2 m antworteten sie bei einem Treffen unter %3°, als ihre Mittelpunkte %4 m auseinander waren.</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after a quarter of a step of %1 s, they were answered; where after two thirds, they ran into each other.</source>
+        <translation>Wo sich die Ränder nach einem Viertel eines Schrittes von %1 s berührten, antworteten sie; wo nach zwei Dritteln, liefen sie ineinander.</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after two thirds of a step of %1 s, they were answered; where after a quarter, they ran into each other.</source>
+        <translation>Wo sich die Ränder nach zwei Dritteln eines Schrittes von %1 s berührten, antworteten sie; wo nach einem Viertel, liefen sie ineinander.</translation>
+    </message>
+    <message>
+        <source>Whether a hit is answered depends on where in a step they touch</source>
+        <translation>Ob ein Stoß beantwortet wird, hängt davon ab, wann im Schritt sie sich berühren</translation>
+    </message>
+    <message>
+        <source>Look at how the moment of the hit is worked out, and at what is done with circles that overlap already.</source>
+        <translation>Sieh dir an, wie der Moment des Stoßes berechnet wird und was mit Kreisen geschieht, die schon überlappen.</translation>
+    </message>
+    <message>
+        <source>On the floor the speed of %who along it changes</source>
+        <translation>Auf dem Boden ändert sich das Tempo längs des Bodens (%who)</translation>
+    </message>
+    <message>
+        <source>Circle %1 was let go %2 m above the floor with %3 m/s along it, and had %4 m/s along it %5 s later; %3 m/s is right. Where nothing rubs, a push points along the normal only: look at what slow hits at the floor change.</source>
+        <translation>Kreis %1 wurde %2 m über dem Boden mit %3 m/s längs des Bodens losgelassen und hatte %5 s später %4 m/s längs des Bodens; richtig sind %3 m/s. Wo nichts reibt, wirkt ein Stoß nur längs der Normalen: Sieh dir an, was langsame Stöße am Boden ändern.</translation>
+    </message>
+    <message>
+        <source>Above the floor gravity stops moving %who</source>
+        <translation>Über dem Boden wirkt die Schwerkraft nicht mehr (%who)</translation>
+    </message>
+    <message>
+        <source>Circle %1 was let go at rest %2 m above the floor, and from %3 s on it stood still %4 m above it, where nothing holds it. Look at what keeps a circle still, and at whether it lies on the floor then.</source>
+        <translation>Kreis %1 wurde %2 m über dem Boden in Ruhe losgelassen und stand ab %3 s %4 m darüber still, wo ihn nichts hält. Sieh dir an, was einen Kreis stillhält und ob er dann auf dem Boden liegt.</translation>
+    </message>
+    <message>
+        <source>At the %walls the part along the wall comes into the rebound of %who</source>
+        <translation>An %walls geht der Anteil längs der Wand in den Rückprall ein, für %who</translation>
+    </message>
+    <message>
+        <source>With %1 m/s into the wall and %2 m/s along it, %3 times the part into it comes back; with %4 m/s along it %5 times. The part along a wall should not count there.</source>
+        <translation>Mit %1 m/s in die Wand und %2 m/s längs der Wand kommt das %3-Fache des Anteils in die Wand zurück; mit %4 m/s längs der Wand das %5-Fache. Der Anteil längs einer Wand darf dabei nicht zählen.</translation>
+    </message>
+    <message>
+        <source>A wall turns the speed round; no fixed amount is added to it or taken from it.</source>
+        <translation>Eine Wand kehrt die Geschwindigkeit um; sie nimmt keinen festen Betrag weg und gibt keinen dazu.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take a fixed amount of speed from %who</source>
+        <translation>Stöße an %walls nehmen einen festen Betrag an Tempo weg, für %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls add a fixed amount of speed to %who</source>
+        <translation>Stöße an %walls geben einen festen Betrag an Tempo dazu, für %who</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with about %1 m/s too little.</source>
+        <translation>Nach jeder versuchten Geschwindigkeit geht er mit etwa %1 m/s zu wenig.</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with about %1 m/s too much.</source>
+        <translation>Nach jeder versuchten Geschwindigkeit geht er mit etwa %1 m/s zu viel.</translation>
+    </message>
+    <message>
+        <source>Its velocity points away from the wall only %1 s later, in steps of %2 s.</source>
+        <translation>Erst %1 s später, in Schritten von %2 s, zeigt seine Geschwindigkeit von der Wand weg.</translation>
+    </message>
+    <message>
+        <source>In a step in which circle %1 hits a wall, circle %2 hits none</source>
+        <translation>Im Schritt, in dem Kreis %1 eine Wand trifft, trifft Kreis %2 keine</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, circle %2 came to the %3, and circle %5 with %4 m/s to the %6 in the same step: circle %2 was turned in it, and circle %5 was not. Alone it is. Look at what your program leaves out when the other circle is hit.</source>
+        <translation>Mit %1 m/s geworfen, kam Kreis %2 an %3 an, und Kreis %5 mit %4 m/s im selben Schritt an %6: Darin kehrte Kreis %2 um, Kreis %5 nicht. Allein kehrt er um. Sieh dir an, was dein Programm auslässt, wenn der andere Kreis getroffen wird.</translation>
+    </message>
+    <message>
+        <source>From every speed and with every e tried it leaves with about %1 m/s less than it came with.</source>
+        <translation>Nach jeder versuchten Geschwindigkeit und mit jedem versuchten e geht er mit etwa %1 m/s weniger, als er kam.</translation>
+    </message>
+    <message>
+        <source>From every speed and with every e tried it leaves with about %1 m/s more than it came with.</source>
+        <translation>Nach jeder versuchten Geschwindigkeit und mit jedem versuchten e geht er mit etwa %1 m/s mehr, als er kam.</translation>
     </message>
 </context>
 <context>

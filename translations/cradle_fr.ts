@@ -972,6 +972,10 @@
         <translation>Le cercle %1 a parcouru %2 m en %3 s&#xa0;; il faut voir au moins son diamètre de %4 m pour juger s&apos;ils restent ensemble</translation>
     </message>
     <message>
+        <source>not judged: your program does not move the circles</source>
+        <translation>non évalué&#xa0;: votre programme ne déplace pas les cercles</translation>
+    </message>
+    <message>
         <source>not judged: what moves the circles is not what the step asks for</source>
         <translation>non évalué&#xa0;: ce qui déplace les cercles n&apos;est pas ce que demande l&apos;étape</translation>
     </message>
@@ -5565,6 +5569,90 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
     <message>
         <source>In all hits of equal circles tried the velocities changed along that line by whole numbers of m/s: look for what rounds a number, such as `//` or `math.floor`.</source>
         <translation>Dans tous les chocs essayés de cercles égaux, les vitesses ont changé le long de cette ligne d&apos;un nombre entier de m/s&#xa0;: cherchez ce qui arrondit un nombre, comme `//` ou `math.floor`.</translation>
+    </message>
+    <message>
+        <source>With r₁ = %1 m and r₂ = %2 m, met at %3°, they answered when their centres were %4 m apart.</source>
+        <translation>Avec r₁ = %1 m et r₂ = %2 m, en se rencontrant sous un angle de %3°, ils ont réagi quand leurs centres étaient à %4 m l&apos;un de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after a quarter of a step of %1 s, they were answered; where after two thirds, they ran into each other.</source>
+        <translation>Là où leurs bords se sont touchés après un quart d&apos;un pas de %1 s, ils ont réagi&#xa0;; là où c&apos;était après deux tiers, ils sont entrés l&apos;un dans l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Where their rims touched after two thirds of a step of %1 s, they were answered; where after a quarter, they ran into each other.</source>
+        <translation>Là où leurs bords se sont touchés après deux tiers d&apos;un pas de %1 s, ils ont réagi&#xa0;; là où c&apos;était après un quart, ils sont entrés l&apos;un dans l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Whether a hit is answered depends on where in a step they touch</source>
+        <translation>Qu&apos;un choc ait une réponse dépend du moment du pas où ils se touchent</translation>
+    </message>
+    <message>
+        <source>Look at how the moment of the hit is worked out, and at what is done with circles that overlap already.</source>
+        <translation>Regardez comment le moment du choc est calculé, et ce qui est fait de cercles qui se chevauchent déjà.</translation>
+    </message>
+    <message>
+        <source>On the floor the speed of %who along it changes</source>
+        <translation>Sur le sol, la vitesse le long du sol change, pour %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 was let go %2 m above the floor with %3 m/s along it, and had %4 m/s along it %5 s later; %3 m/s is right. Where nothing rubs, a push points along the normal only: look at what slow hits at the floor change.</source>
+        <translation>Le cercle %1 a été lâché %2 m au-dessus du sol avec %3 m/s le long du sol, et avait %4 m/s le long du sol %5 s plus tard&#xa0;; il faut %3 m/s. Là où rien ne frotte, une poussée n&apos;agit que le long de la normale&#xa0;: regardez ce que changent les chocs lents contre le sol.</translation>
+    </message>
+    <message>
+        <source>Above the floor gravity stops moving %who</source>
+        <translation>Au-dessus du sol, la pesanteur n&apos;agit plus, pour %who</translation>
+    </message>
+    <message>
+        <source>Circle %1 was let go at rest %2 m above the floor, and from %3 s on it stood still %4 m above it, where nothing holds it. Look at what keeps a circle still, and at whether it lies on the floor then.</source>
+        <translation>Le cercle %1 a été lâché au repos %2 m au-dessus du sol, et à partir de %3 s il est resté immobile %4 m au-dessus, où rien ne le retient. Regardez ce qui immobilise un cercle, et s&apos;il est alors posé sur le sol.</translation>
+    </message>
+    <message>
+        <source>At the %walls the part along the wall comes into the rebound of %who</source>
+        <translation>Contre %walls, la composante le long de la paroi entre dans le rebond, pour %who</translation>
+    </message>
+    <message>
+        <source>With %1 m/s into the wall and %2 m/s along it, %3 times the part into it comes back; with %4 m/s along it %5 times. The part along a wall should not count there.</source>
+        <translation>Avec %1 m/s vers la paroi et %2 m/s le long d&apos;elle, %3 fois la composante vers la paroi revient&#xa0;; avec %4 m/s le long d&apos;elle, %5 fois. La composante le long d&apos;une paroi ne doit pas y compter.</translation>
+    </message>
+    <message>
+        <source>A wall turns the speed round; no fixed amount is added to it or taken from it.</source>
+        <translation>Une paroi inverse la vitesse&#xa0;; elle n&apos;y ajoute ni n&apos;en retire aucune valeur fixe.</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls take a fixed amount of speed from %who</source>
+        <translation>Les chocs contre %walls retirent une valeur fixe à la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>Hits at the %walls add a fixed amount of speed to %who</source>
+        <translation>Les chocs contre %walls ajoutent une valeur fixe à la vitesse, pour %who</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with about %1 m/s too little.</source>
+        <translation>Quelle que soit la vitesse essayée, il repart avec environ %1 m/s de trop peu.</translation>
+    </message>
+    <message>
+        <source>From every speed tried it leaves with about %1 m/s too much.</source>
+        <translation>Quelle que soit la vitesse essayée, il repart avec environ %1 m/s de trop.</translation>
+    </message>
+    <message>
+        <source>Its velocity points away from the wall only %1 s later, in steps of %2 s.</source>
+        <translation>Sa vitesse ne s&apos;éloigne de la paroi que %1 s plus tard, par pas de %2 s.</translation>
+    </message>
+    <message>
+        <source>In a step in which circle %1 hits a wall, circle %2 hits none</source>
+        <translation>Au pas où le cercle %1 heurte une paroi, le cercle %2 n&apos;en heurte aucune</translation>
+    </message>
+    <message>
+        <source>Thrown with %1 m/s, circle %2 came to the %3, and circle %5 with %4 m/s to the %6 in the same step: circle %2 was turned in it, and circle %5 was not. Alone it is. Look at what your program leaves out when the other circle is hit.</source>
+        <translation>Lancé à %1 m/s, le cercle %2 est arrivé contre %3, et le cercle %5, à %4 m/s, contre %6 au même pas&#xa0;: le cercle %2 y a fait demi-tour, le cercle %5 non. Seul, il le fait. Regardez ce que votre programme omet quand l&apos;autre cercle est touché.</translation>
+    </message>
+    <message>
+        <source>From every speed and with every e tried it leaves with about %1 m/s less than it came with.</source>
+        <translation>Quelle que soit la vitesse et quel que soit e parmi ceux essayés, il repart avec environ %1 m/s de moins qu&apos;à l&apos;arrivée.</translation>
+    </message>
+    <message>
+        <source>From every speed and with every e tried it leaves with about %1 m/s more than it came with.</source>
+        <translation>Quelle que soit la vitesse et quel que soit e parmi ceux essayés, il repart avec environ %1 m/s de plus qu&apos;à l&apos;arrivée.</translation>
     </message>
 </context>
 <context>

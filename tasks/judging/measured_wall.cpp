@@ -69,6 +69,7 @@ MeasuredWalls::MeasuredWalls(const QString *program, const Ground &ground,
             if (!isOff)
                 continue;
             denser.push_back(range.shootDenser(circle, wall, middleOf(all)));
+            slanted.push_back(range.shootSlanted(circle, wall, middleOf(all)));
             if (!others.empty())
                 slower.push_back(range.shootSlower(circle, wall, middleOf(others)));
         }

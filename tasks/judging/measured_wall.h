@@ -136,10 +136,11 @@ struct MeasuredWalls {
     std::vector<WallHit> alike{};
     /// Where another share of the speed than e comes back: of circles that are twice as dense.
     std::vector<WallHit> denser{};
-    std::vector<WallHit> slower{}; ///< and of slower ones, where e is varied
-    std::vector<WallHit> far{};    ///< of circles that are turned at once: two from far away
-    std::vector<WallHit> middle{}; ///< and one from the middle to each wall where they are
-    std::vector<LentWall> lent{};  ///< where nothing is answered, if another being there is
+    std::vector<WallHit> slower{};  ///< and of slower ones, where e is varied
+    std::vector<WallHit> slanted{}; ///< and of those that go faster along the wall
+    std::vector<WallHit> far{};     ///< of circles that are turned at once: two from far away
+    std::vector<WallHit> middle{};  ///< and one from the middle to each wall where they are
+    std::vector<LentWall> lent{};   ///< where nothing is answered, if another being there is
     std::vector<Drop> drops{};
     std::vector<int> judged{}; ///< the circles whose free flight is known
     double blur = 1e-3;        ///< of back and along: how far gravity blurs them

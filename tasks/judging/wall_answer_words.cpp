@@ -47,7 +47,9 @@ private:
             parts[{m_own.hits[i].circle, m_own.hits[i].wall}].push_back(i);
         std::map<QString, std::vector<std::size_t>> alike;
         for (const auto &[of, part] : parts) {
-            std::vector<std::size_t> &all = alike[wordsOf(part).headline];
+            // Of ranges the numbers are other ones at every wall.
+            const ReboundWords words = wordsOf(part);
+            std::vector<std::size_t> &all = alike[words.isRange ? QString() : words.headline];
             all.insert(all.end(), part.begin(), part.end());
         }
         const ReboundWords words = wordsOf(odd);

@@ -134,6 +134,15 @@ WallHit WallRange::shootSlower(int circle, Wall wall, double e) const
     return hit;
 }
 
+WallHit WallRange::shootSlanted(int circle, Wall wall, double e) const
+{
+    WallHit hit{.circle = circle, .wall = wall, .restitution = e, .radius = largeRadius()};
+    hit.otherRadius = m_ground.walls.radii.low;
+    hit.stage = stageOf(hit, speedOf(circle, 0), 0.29, {.slant = 0.93});
+    watch(hit);
+    return hit;
+}
+
 bool WallRange::passesBeside(const WallHit &corner) const
 {
     const Vec2 n = outwardNormal(corner.wall);

@@ -40,6 +40,9 @@ public:
     /// As the first of the two, with the speed of the second.
     [[nodiscard]] WallHit shootSlower(int circle, Wall wall, double e) const;
 
+    /// As the first of the two, faster along the wall and as fast into it.
+    [[nodiscard]] WallHit shootSlanted(int circle, Wall wall, double e) const;
+
     /// From the middle, for circles that are turned as soon as they are shot from near the wall.
     [[nodiscard]] WallHit comeFromMiddle(int circle, Wall wall, double e) const;
 

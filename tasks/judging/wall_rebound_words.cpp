@@ -37,6 +37,13 @@ public:
                     WallText::tr("It is put back at once, and its velocity points away from the "
                                  "wall only %1 s later.")
                         .arg(brief(hit.turnsLater * hit.stage.preset.timestep))};
+        if (turnLater(odd))
+            return {WallText::tr("Hits at the %walls turn the velocity of %who round too late"),
+                    WallText::tr("Its velocity points away from the wall only %1 s later, in steps "
+                                 "of %2 s.")
+                        .arg(brief(hit.turnsLater * hit.stage.preset.timestep),
+                             briefTimestep(hit.stage.preset.timestep)),
+                    true, false};
         if (hit.held)
             return {WallText::tr("Hits at the %walls hold %who and turn no velocity round"),
                     hit.stays ? WallText::tr("It is put back in every step and runs into it again.")
@@ -108,6 +115,14 @@ private:
         });
     }
 
+    /// Whether all of them keep their velocity in the hit, and are turned in a step soon after.
+    [[nodiscard]] bool turnLater(const std::vector<std::size_t> &odd) const
+    {
+        return std::all_of(odd.begin(), odd.end(), [&](std::size_t i) {
+            return isNear(m_own.hits[i].back, -1.0) && m_own.hits[i].turnsLater > 0;
+        });
+    }
+
     /// Whether in all of them the part into the wall afterwards is as large as that along it was
     /// before, or e times as large, or the other way round.
     [[nodiscard]] bool isOfOtherPart(const std::vector<std::size_t> &odd) const
@@ -140,6 +155,8 @@ private:
                              brief(rightOf(static_cast<std::size_t>(one - m_own.hits.data())).back))
                     + QLatin1Char(' ') + lookAtNew(),
                 false, false};
+        if (const auto words = slantWords(*this, odd))
+            return *words;
         for (const BackLaw &law : backLaws()) {
             if ((rebounds() || !law.hasE) && follows(odd, back, law.back))
                 return {law.headline, law.why};
@@ -150,6 +167,8 @@ private:
                     WallText::tr("Its velocity still points into the wall: look at what it is "
                                  "worked out from."),
                     true, false};
+        if (const auto words = fixedLossWords(*this, odd))
+            return *words;
         const auto number = [&](double) { return hit.back; };
         if (odd.size() > 2 && rebounds() && follows(odd, back, number))
             return {WallText::tr("At the %walls a number stands for e, for %who"),

@@ -20,5 +20,11 @@ struct ReboundWords {
 /// \param shown  the one of them that is quoted
 [[nodiscard]] ReboundWords reboundWords(const WallComparison &walls,
                                         const std::vector<std::size_t> &odd, std::size_t shown);
+/// That the part along a wall counts in what comes back of that into it.
+[[nodiscard]] std::optional<ReboundWords> slantWords(const WallComparison &walls,
+                                                     const std::vector<std::size_t> &odd);
+/// That the same speed is missing after every hit, or is too much, however fast it came.
+[[nodiscard]] std::optional<ReboundWords> fixedLossWords(const WallComparison &walls,
+                                                         const std::vector<std::size_t> &odd);
 
 } // namespace cradle
