@@ -23,6 +23,9 @@ private slots:
     void wrongProgramLosesMomentumOrEnergy_data();
     void wrongProgramLosesMomentumOrEnergy();
     void eachLawIsAskedAsItIs();
+    void whoStandsStillBehindAHitIsSeen();
+    void whoCrawlsBehindAHitIsSeen();
+    void rightHitBeforeAWrongOneIsTold();
     void missingHitsAreCounted();
     void hitAtAWallIsNotACollision();
     void onlyWhoStaysInsidePartsInside_data();
@@ -126,6 +129,72 @@ void TestChecksContacts::wrongProgramLosesMomentumOrEnergy()
                 mistakenRestitution, 30.0, 0.4, 0.2);
     const QJsonObject energy{{QStringLiteral("energy"), true}};
     VERIFY_REFUSED(judge(check("conserves", {0, 1}, energy), o), word);
+}
+
+void TestChecksContacts::whoStandsStillBehindAHitIsSeen()
+{
+    for (int pause = 0; pause <= 4; ++pause) {
+        int left = 0;
+        const Observation o = meeting(
+            [&](Circles &c, double h) {
+                if (left-- > 0)
+                    return;
+                const Vec2 before = c[0].velocity;
+                rightWays[0].step(c, 1.0, h);
+                left = c[0].velocity == before ? 0 : pause;
+            },
+            1.0, 30.0, 0.4, 0.2);
+        const auto fault = judge(check("collides", {0, 1}), o);
+        if (pause < 3)
+            VERIFY_ACCEPTED(fault);
+        else
+            VERIFY_REFUSED(fault, QStringLiteral("After a hit"));
+        // Where no hit is asked for, they may be held where they were set.
+        const QJsonObject none{{QStringLiteral("contacts"), 0}};
+        VERIFY_ACCEPTED(judge(check("collides", {0, 1}, none), o));
+    }
+}
+
+void TestChecksContacts::whoCrawlsBehindAHitIsSeen()
+{
+    for (const double share : {0.5, 0.7}) {
+        int left = 0;
+        const Observation o = meeting(
+            [&](Circles &c, double h) {
+                if (left-- > 0)
+                    return move(c, share * h);
+                const Vec2 before = c[0].velocity;
+                rightWays[0].step(c, 1.0, h);
+                left = c[0].velocity == before ? 0 : 5;
+            },
+            1.0, 30.0, 0.4, 0.2);
+        const auto fault = judge(check("collides", {0, 1}), o);
+        QCOMPARE(fault.has_value(), share < 0.6);
+    }
+}
+
+/// The larger circle meets the other again when a wall has sent it back.
+void TestChecksContacts::rightHitBeforeAWrongOneIsTold()
+{
+    const Circle one{.position = {2.5, 0.0}, .velocity = {1.0, 0.0}, .radius = 0.3};
+    const Circle two{.position = {3.2, 0.0}};
+    for (const double second : {1.0, 0.5, -1.0}) {
+        double e = 1.0;
+        const Observation o = observed(scene({one, two}, {}, 1.0), 1.2, [&](Circles &c, double h) {
+            const Vec2 before = c[0].velocity;
+            move(c, h);
+            if (c[1].position.x > 4.0 - c[1].radius)
+                c[1].velocity.x = -std::abs(c[1].velocity.x);
+            if (touches(c))
+                push(c, normalized(between(c)), e);
+            e = c[0].velocity == before ? e : second;
+        });
+        const auto fault = judge(check("collides", {0, 1}), o);
+        if (second == 1.0)
+            VERIFY_ACCEPTED(fault);
+        else
+            VERIFY_REFUSED(fault, QStringLiteral("Their hit before, at step 13, came out right"));
+    }
 }
 
 void TestChecksContacts::missingHitsAreCounted()

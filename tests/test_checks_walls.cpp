@@ -26,6 +26,9 @@ private slots:
     void slowHitsAreAnsweredOnce_data();
     void slowHitsAreAnsweredOnce();
     void restitutionOfTheCheckCounts();
+    void whoStandsStillBehindAHitIsSeen_data();
+    void whoStandsStillBehindAHitIsSeen();
+    void whoAnswerEachOtherEarlyMetNoWall();
     void leavingTheSquareIsSeenByStaysInside();
     void oneStepBeyondTheWallIsAllowed();
     void comingToRestIsAccepted_data();
@@ -215,6 +218,60 @@ void TestChecksWalls::restitutionOfTheCheckCounts()
     VERIFY_ACCEPTED(judge(check("bounces"), o));
     const QJsonObject elastic{{QStringLiteral("restitution"), 1.0}};
     VERIFY_REFUSED(judge(check("bounces", {0}, elastic), o), QStringLiteral("is right"));
+}
+
+void TestChecksWalls::whoStandsStillBehindAHitIsSeen_data()
+{
+    QTest::addColumn<Vec2>("gravity");
+    QTest::newRow("without gravity") << Vec2{};
+    QTest::newRow("under gravity") << down;
+}
+
+void TestChecksWalls::whoStandsStillBehindAHitIsSeen()
+{
+    QFETCH(Vec2, gravity);
+    for (int pause = 0; pause <= 4; ++pause) {
+        int left = 0;
+        const Observation o =
+            observed(scene({thrown(61.0, 5.0)}, gravity, 1.0), 2.0, [&](Circles &c, double h) {
+                const Vec2 before = c[0].velocity;
+                if (left-- > 0) {
+                    c[0].velocity += h * gravity;
+                    return;
+                }
+                rightWays[0].step(c[0], gravity, 1.0, h);
+                left = length(c[0].velocity - before) > 1.0 ? pause : 0;
+            });
+        const auto fault = judge(check("bounces"), o);
+        if (pause < 3)
+            VERIFY_ACCEPTED(fault);
+        else
+            VERIFY_REFUSED(fault, QStringLiteral("After a hit"));
+    }
+}
+
+/// Two turn round half a metre from each other; one alone did so because of a wall.
+void TestChecksWalls::whoAnswerEachOtherEarlyMetNoWall()
+{
+    const Circle one{.position = {-1.0, 0.0}, .velocity = {1.0, 0.0}};
+    const Circle two{.position = {1.0, 0.0}, .velocity = {-1.0, 0.0}};
+    for (const int turned : {1, 2}) {
+        const Observation o = observed(scene({one, two}, {}, 1.0), 1.0, [&](Circles &c, double h) {
+            for (int i = 0; i < 2; ++i) {
+                c[i].position += h * c[i].velocity;
+                if (i < turned && std::abs(c[i].position.x) < 0.45)
+                    c[i].velocity = {c[i].position.x, 0.0};
+            }
+        });
+        CheckSpec close = check(
+            "bounces", {0, 1}, {{QStringLiteral("collisions"), true}, {QStringLiteral("hits"), 0}});
+        VERIFY_REFUSED(judge(close, o), QStringLiteral("touch first"));
+        close.scene.insert(QStringLiteral("kind"), QStringLiteral("encounters"));
+        if (turned == 2)
+            VERIFY_ACCEPTED(judge(close, o));
+        else
+            VERIFY_REFUSED(judge(close, o), QStringLiteral("touch first"));
+    }
 }
 
 void TestChecksWalls::leavingTheSquareIsSeenByStaysInside()

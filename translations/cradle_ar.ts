@@ -757,16 +757,8 @@
         <translation>تصادمات بطيئة</translation>
     </message>
     <message>
-        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
-        <translation>تأتي الدوائر ببطء إلى الأرضية والسقف، في وقت مبكر أو متأخر من الخطوة: ما يغادر جدارًا أبطأ مما جاء قد يُردّ مرتين بسهولة</translation>
-    </message>
-    <message>
         <source>Drops</source>
         <translation>إسقاطات</translation>
-    </message>
-    <message>
-        <source>The circles fall onto the floor</source>
-        <translation>تسقط الدوائر على الأرضية</translation>
     </message>
     <message>
         <source>Sideways</source>
@@ -785,8 +777,16 @@
         <translation>لفحص آخر المعرّف ⁨%1⁩ بالفعل؛ الصواب معرّف خاص به</translation>
     </message>
     <message>
-        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres</source>
-        <translation>بعضها، بين دائرتين متساويتين، يقع أمام جدار يعيد الدائرة 2 إلى تصادم ثانٍ على خط مركزين آخر</translation>
+        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres; in two more the heavier circle meets the other twice on one line, which a wall sends back</source>
+        <translation>بعضها، بين دائرتين متساويتين، يقع أمام جدار يعيد الدائرة 2 إلى تصادم ثانٍ على خط مركزين آخر؛ وفي مشهدين آخرين تلتقي الدائرة الأثقل بالأخرى، التي يعيدها جدار، مرتين على خط واحد</translation>
+    </message>
+    <message>
+        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice. Some are let go at rest, just above the floor</source>
+        <translation>تأتي الدوائر ببطء إلى الأرضية والسقف، في وقت مبكر أو متأخر من الخطوة: ما يغادر جدارًا أبطأ مما جاء قد يُردّ مرتين بسهولة. وبعضها يُترك من السكون فوق الأرضية مباشرة</translation>
+    </message>
+    <message>
+        <source>The circles fall onto the floor; in the last scene, where e is 1, from so low that they bounce often</source>
+        <translation>تسقط الدوائر على الأرضية؛ وفي المشهد الأخير، حيث e يساوي 1، من ارتفاع صغير فترتد كثيرًا</translation>
     </message>
 </context>
 <context>
@@ -1100,6 +1100,10 @@
         <translation>في الخطوة ⁨%1⁩ غادرت الدائرة 1 التصادم بسرعة ⁦%2 m/s⁩ والدائرة 2 بسرعة ⁦%3 m/s⁩؛ وحيث يتجه خط المركزين على ⁨%4⁩ فالصحيح ⁨%5⁩ و⁦%6 m/s⁩</translation>
     </message>
     <message>
+        <source>%1. Their hit before, at step %2, came out right</source>
+        <translation>%1. وتصادمهما السابق، في الخطوة ⁨%2⁩، كان صحيحًا</translation>
+    </message>
+    <message>
         <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
         <translation>%1. ويُبلغ جدار أيضًا في هذه الخطوة: احكم عليها حين تصح الجدران</translation>
     </message>
@@ -1210,6 +1214,10 @@
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims; %6 m/s is right</source>
         <translation>في الخطوة ⁨%1⁩ انتقلت سرعة الدائرة ⁨%2⁩ من ⁦%3⁩ إلى ⁦%4 m/s⁩ مع أن الدائرتين كانتا تتباعدان وبين حافتيهما ⁦%5 m⁩؛ والصحيح ⁦%6 m/s⁩</translation>
+    </message>
+    <message>
+        <source>After a hit at step %1 circle %2 has a velocity of %3 m/s, away from what it hit. From there to step %4 it moved by %5 m; with its velocity it comes %6 m far</source>
+        <translation>بعد تصادم في الخطوة ⁨%1⁩ سرعة الدائرة ⁨%2⁩ هي ⁦%3 m/s⁩، تبتعد بها عمّا صدمته. ومن هناك إلى الخطوة ⁨%4⁩ تحركت بمقدار ⁦%5 m⁩؛ وبسرعتها تقطع ⁦%6 m⁩</translation>
     </message>
 </context>
 <context>
@@ -10003,6 +10011,14 @@ In a step that would have brought their centres to %2 m from each other, where r
     <message>
         <source>slowly to the other side</source>
         <translation>ببطء إلى الجانب الآخر</translation>
+    </message>
+    <message>
+        <source>let go low %1</source>
+        <translation>ترك من ارتفاع صغير ⁨%1⁩</translation>
+    </message>
+    <message>
+        <source>two hits on one line %1</source>
+        <translation>تصادمان على خط واحد ⁨%1⁩</translation>
     </message>
 </context>
 <context>

@@ -753,14 +753,6 @@
         <translation>Langsame Stöße</translation>
     </message>
     <message>
-        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
-        <translation>Die Kreise kommen langsam an Boden und Decke, früher oder später in einem Schritt: Was eine Wand langsamer verlässt, als es kam, kehrt leicht zweimal um</translation>
-    </message>
-    <message>
-        <source>The circles fall onto the floor</source>
-        <translation>Die Kreise fallen auf den Boden</translation>
-    </message>
-    <message>
         <source>Sideways</source>
         <translation>Seitwärts</translation>
     </message>
@@ -777,8 +769,16 @@
         <translation>eine andere Prüfung hat schon die Kennung %1; richtig ist eine eigene</translation>
     </message>
     <message>
-        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres</source>
-        <translation>Einige, zwischen gleichen Kreisen, liegen vor einer Wand, die Kreis 2 zu einem zweiten Stoß mit anderer Verbindungslinie der Mittelpunkte zurückschickt</translation>
+        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres; in two more the heavier circle meets the other twice on one line, which a wall sends back</source>
+        <translation>Einige, zwischen gleichen Kreisen, liegen vor einer Wand, die Kreis 2 zu einem zweiten Stoß mit anderer Verbindungslinie der Mittelpunkte zurückschickt; in zwei weiteren trifft der schwerere Kreis den anderen, den eine Wand zurückschickt, zweimal auf einer Linie</translation>
+    </message>
+    <message>
+        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice. Some are let go at rest, just above the floor</source>
+        <translation>Die Kreise kommen langsam an Boden und Decke, früher oder später in einem Schritt: Was eine Wand langsamer verlässt, als es kam, kehrt leicht zweimal um. Einige werden ruhend dicht über dem Boden losgelassen</translation>
+    </message>
+    <message>
+        <source>The circles fall onto the floor; in the last scene, where e is 1, from so low that they bounce often</source>
+        <translation>Die Kreise fallen auf den Boden; in der letzten Szene, wenn e dort 1 ist, von so tief, dass sie oft aufprallen</translation>
     </message>
 </context>
 <context>
@@ -1092,6 +1092,10 @@
         <translation>In Schritt %1 kam Kreis 1 mit %2 m/s aus dem Stoß und Kreis 2 mit %3 m/s; wo ihre Verbindungslinie der Mittelpunkte nach %4 zeigt, sind %5 und %6 m/s richtig</translation>
     </message>
     <message>
+        <source>%1. Their hit before, at step %2, came out right</source>
+        <translation>%1. Ihr Stoß davor, in Schritt %2, war richtig</translation>
+    </message>
+    <message>
         <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
         <translation>%1. In diesem Schritt wird auch eine Wand erreicht: Beurteile ihn, wenn die Wände stimmen</translation>
     </message>
@@ -1202,6 +1206,10 @@
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims; %6 m/s is right</source>
         <translation>In Schritt %1 ging die Geschwindigkeit von Kreis %2 von %3 auf %4 m/s, obwohl die Kreise sich voneinander entfernten, mit %5 m zwischen ihren Rändern; richtig sind %6 m/s</translation>
+    </message>
+    <message>
+        <source>After a hit at step %1 circle %2 has a velocity of %3 m/s, away from what it hit. From there to step %4 it moved by %5 m; with its velocity it comes %6 m far</source>
+        <translation>Nach einem Stoß in Schritt %1 hat Kreis %2 eine Geschwindigkeit von %3 m/s, weg von dem, was er traf. Von da bis Schritt %4 bewegte er sich um %5 m; mit seiner Geschwindigkeit kommt er %6 m weit</translation>
     </message>
 </context>
 <context>
@@ -9903,6 +9911,14 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
     <message>
         <source>slowly to the other side</source>
         <translation>langsam zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>let go low %1</source>
+        <translation>tief losgelassen %1</translation>
+    </message>
+    <message>
+        <source>two hits on one line %1</source>
+        <translation>zwei Stöße auf einer Linie %1</translation>
     </message>
 </context>
 <context>

@@ -749,16 +749,8 @@
         <translation>Chocs lents</translation>
     </message>
     <message>
-        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice</source>
-        <translation>Les cercles arrivent lentement au sol et au plafond, plus ou moins tôt dans un pas&#xa0;: ce qui quitte une paroi plus lentement qu&apos;il n&apos;y est arrivé est facilement renvoyé deux fois</translation>
-    </message>
-    <message>
         <source>Drops</source>
         <translation>Chutes</translation>
-    </message>
-    <message>
-        <source>The circles fall onto the floor</source>
-        <translation>Les cercles tombent sur le sol</translation>
     </message>
     <message>
         <source>Sideways</source>
@@ -777,8 +769,16 @@
         <translation>une autre vérification a déjà l&apos;identifiant %1&#xa0;; il en faut un à elle</translation>
     </message>
     <message>
-        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres</source>
-        <translation>Certaines, entre cercles égaux, ont lieu devant une paroi qui renvoie le cercle 2 vers un second choc, avec une autre ligne des centres</translation>
+        <source>Some, between equal circles, are in front of a wall that sends circle 2 back to a second hit, with another line of centres; in two more the heavier circle meets the other twice on one line, which a wall sends back</source>
+        <translation>Certaines, entre cercles égaux, ont lieu devant une paroi qui renvoie le cercle 2 vers un second choc, avec une autre ligne des centres&#xa0;; dans deux de plus, le cercle le plus lourd rencontre l&apos;autre, qu&apos;une paroi renvoie, deux fois sur une même ligne</translation>
+    </message>
+    <message>
+        <source>The circles come slowly to the floor and to the ceiling, sooner or later in a step: what leaves a wall more slowly than it came is easily turned twice. Some are let go at rest, just above the floor</source>
+        <translation>Les cercles arrivent lentement au sol et au plafond, plus ou moins tôt dans un pas&#xa0;: ce qui quitte une paroi plus lentement qu&apos;il n&apos;y est arrivé est facilement renvoyé deux fois. Certains sont lâchés au repos, juste au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>The circles fall onto the floor; in the last scene, where e is 1, from so low that they bounce often</source>
+        <translation>Les cercles tombent sur le sol&#xa0;; dans la dernière scène, si e y vaut 1, de si bas qu&apos;ils rebondissent souvent</translation>
     </message>
 </context>
 <context>
@@ -1092,6 +1092,10 @@
         <translation>Au pas %1, le cercle 1 est sorti du choc à %2 m/s et le cercle 2 à %3 m/s&#xa0;; là où leur ligne des centres pointe suivant %4, les valeurs justes sont %5 et %6 m/s</translation>
     </message>
     <message>
+        <source>%1. Their hit before, at step %2, came out right</source>
+        <translation>%1. Leur choc précédent, au pas %2, était juste</translation>
+    </message>
+    <message>
         <source>%1. A wall is reached in this step, too: judge it when the walls are right</source>
         <translation>%1. Une paroi est aussi atteinte à ce pas&#xa0;: jugez-le quand les parois seront justes</translation>
     </message>
@@ -1202,6 +1206,10 @@
     <message>
         <source>At step %1 the velocity of circle %2 went from %3 to %4 m/s although the circles were moving apart, with %5 m between their rims; %6 m/s is right</source>
         <translation>Au pas %1, la vitesse du cercle %2 est allée de %3 à %4 m/s alors que les cercles s&apos;éloignaient, avec %5 m entre leurs bords&#xa0;; %6 m/s est juste</translation>
+    </message>
+    <message>
+        <source>After a hit at step %1 circle %2 has a velocity of %3 m/s, away from what it hit. From there to step %4 it moved by %5 m; with its velocity it comes %6 m far</source>
+        <translation>Après un choc au pas %1, le cercle %2 a une vitesse de %3 m/s, qui l&apos;éloigne de ce qu&apos;il a touché. De là jusqu&apos;au pas %4, il s&apos;est déplacé de %5 m&#xa0;; avec sa vitesse, il parcourt %6 m</translation>
     </message>
 </context>
 <context>
@@ -9903,6 +9911,14 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
     <message>
         <source>slowly to the other side</source>
         <translation>lentement vers l&apos;autre côté</translation>
+    </message>
+    <message>
+        <source>let go low %1</source>
+        <translation>lâché de bas %1</translation>
+    </message>
+    <message>
+        <source>two hits on one line %1</source>
+        <translation>deux chocs sur une ligne %1</translation>
     </message>
 </context>
 <context>

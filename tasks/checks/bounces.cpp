@@ -4,6 +4,7 @@
 #include "tasks/checks/figures.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
+#include "tasks/checks/standstill.h"
 #include "tasks/checks/wall_turn.h"
 
 #include <QCoreApplication>
@@ -153,6 +154,20 @@ std::optional<Fault> stuck(const Observation &o, int i, bool collisions, Vec2 gr
     return std::nullopt;
 }
 
+/// Whether circle \p i and another change their velocities in the step after \p k, both far from
+/// all walls, and not in most steps: then they answer each other, if too early, and no wall.
+bool isAnswerInTheOpen(const Observation &o, int i, qint64 k, Vec2 gravity)
+{
+    const auto changesInTheOpen = [&](int j) {
+        return motion::isKicked(o, j, k, gravity) && !motion::isNearWall(o, j, k, gravity);
+    };
+    for (int j = 0; j < o.circleCount(); ++j) {
+        if (j != i && changesInTheOpen(i) && changesInTheOpen(j))
+            return !motion::steadyFault(o, i, gravity);
+    }
+    return false;
+}
+
 /// A circle that goes on somewhere else, such as at the opposite wall.
 std::optional<Fault> leap(const Observation &o, int i, bool collisions, Vec2 gravity)
 {
@@ -198,6 +213,9 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
     const Vec2 gravity = motion::gravityOf(check, o);
     const bool collisions = valueOf(check, QStringLiteral("collisions")).toBool();
     const double restitution = motion::restitutionOf(check, o);
+    // Where they are thrown at each other, checks of hits tell what comes too early.
+    const bool meet =
+        collisions && check.scene.value(QStringLiteral("kind")) == QLatin1String("encounters");
     int hits = 0;
     for (const int i : check.circles) {
         if (auto fault = stuck(o, i, collisions, gravity, restitution))
@@ -208,12 +226,16 @@ std::optional<Fault> bounces(const CheckSpec &check, const Observation &o)
             if (!motion::isKicked(o, i, k, gravity, tolerance)
                 || (collisions && motion::isNearCircle(o, i, k, gravity)))
                 continue;
+            if (meet && isAnswerInTheOpen(o, i, k, gravity))
+                continue;
             const Turn turn{o, i, k, gravity, restitution, tolerance};
             if (auto fault = turn.faultAlong(Wall::Left, Wall::Right))
                 return fault;
             if (auto fault = turn.faultAlong(Wall::Bottom, Wall::Top))
                 return fault;
             if (auto fault = turn.misplaced())
+                return fault;
+            if (auto fault = motion::standstillAfter(o, i, k, gravity))
                 return fault;
             hits += turn.isHit() ? 1 : 0;
         }

@@ -5,6 +5,7 @@
 #include "tasks/checks/hit_places.h"
 #include "tasks/checks/kinds.h"
 #include "tasks/checks/motion.h"
+#include "tasks/checks/standstill.h"
 
 #include "model/files/preset_json.h"
 
@@ -180,7 +181,14 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
         && !judge(ContactAnswer{o, 0, 1, backwards(contacts.front()), e, tolerance}))
         return std::nullopt;
     const qint64 missedStep = motion::missedContact(o, 0, 1);
+    const int wanted = valueOf(check, QStringLiteral("contacts")).toInt();
+    // Who is set into another circle, as nothing of the program's brings it there, may be held.
+    const bool isAnyHitWanted = wanted > 0;
     std::optional<Fault> besideWall; // told where nothing in the open is wrong
+    std::optional<qint64> lastRight; // the state that such a hit made
+    const auto told = [&lastRight](const Fault &fault) {
+        return lastRight ? contact_faults::afterRight(fault, *lastRight) : fault;
+    };
     for (const motion::Contact &contact : contacts) {
         if (missedStep >= 0 && missedStep < contact.step)
             break;
@@ -193,18 +201,23 @@ std::optional<Fault> inTurn(const CheckSpec &check, const Observation &o, double
         // A wall may put them elsewhere, too.
         if (!fault && !motion::isBesideWall(o, 0, 1, contact, gravity))
             fault = misplacedBy(answer, gravity);
+        for (const int i : {0, 1}) {
+            if (!fault && isAnyHitWanted)
+                fault = motion::standstillAfter(o, i, contact.step, gravity);
+        }
         // One that turned before it touched anything has met no wall either.
         const bool isEarly = contact.nearest > gapAllowed + slackOf(o, gravity);
         if (fault && (isEarly || !motion::isBesideWall(o, 0, 1, contact, gravity)))
-            return fault;
+            return isEarly ? *fault : told(*fault);
         if (fault && !besideWall)
             besideWall = contact_faults::besideWall(*fault);
+        if (!fault)
+            lastRight = contact.step + 1;
     }
     if (missedStep >= 0)
-        return missedFault(o, missedStep, e, contacts);
+        return told(missedFault(o, missedStep, e, contacts));
     if (besideWall)
         return besideWall;
-    const int wanted = valueOf(check, QStringLiteral("contacts")).toInt();
     if (contacts.size() < static_cast<std::size_t>(wanted))
         return contact_faults::tooFew(contacts.size(), wanted);
     return std::nullopt;

@@ -203,6 +203,13 @@ Fault late(qint64 step, qint64 answered, double centres)
             .step = step};
 }
 
+Fault afterRight(Fault fault, qint64 step)
+{
+    fault.message = ContactText::tr("%1. Their hit before, at step %2, came out right")
+                        .arg(fault.message, QString::number(step));
+    return fault;
+}
+
 Fault besideWall(Fault fault)
 {
     fault.message = ContactText::tr("%1. A wall is reached in this step, too: judge it when the "

@@ -25,6 +25,8 @@ namespace cradle::contact_faults {
 /// By \p step they have run into each other; the answer came in the step that makes state
 /// \p answered, when they were \p centres (m) apart.
 [[nodiscard]] Fault late(qint64 step, qint64 answered, double centres);
+/// \p fault in a run whose hit that makes state \p step, of the same circles, came out right.
+[[nodiscard]] Fault afterRight(Fault fault, qint64 step);
 /// \p fault of a step in which a wall may push one of them, too.
 [[nodiscard]] Fault besideWall(Fault fault);
 [[nodiscard]] Fault tooFew(std::size_t observed, int wanted);
