@@ -21,6 +21,8 @@ private slots:
     void someAreExactlyLevelOrUpright();
     void encountersTakeTurnsInWhoCatchesUp();
     void someMeetAgainInFrontOfAWall();
+    void someMeetTwiceOnOneLine();
+    void circlesOfOneDensityAreAmongThem();
     void restitutionsAndTimestepsAreMixed();
     void namesTellScenesApart();
 };
@@ -141,6 +143,65 @@ void TestEncounterScenes::someMeetAgainInFrontOfAWall()
         QVERIFY(o.steps() - hits[1] < 60);
     }
     QVERIFY2(twice.size() >= 2, qPrintable(QString::number(twice.size())));
+}
+
+/// A wall may give back all of the speed or e times it; both times the second hit is seen, well
+/// away from the wall, and nothing comes after it.
+void TestEncounterScenes::someMeetTwiceOnOneLine()
+{
+    CheckSpec again = spec(QStringLiteral("encounters"));
+    again.scene.insert(QStringLiteral("gravity"), json({0.0, 0.0}));
+    again.scene.insert(QStringLiteral("again"), true);
+    Preset preset = odd();
+    preset.laws = {WallLaw::Reflect, CircleLaw::Impulse, Timing::Exact};
+    int seen = 0;
+    for (qint64 seed = 1; seed <= 20; ++seed) {
+        for (const Variant &variant : makeVariants(preset, again, seed)) {
+            if (!variant.name.contains(QLatin1String("on one line")))
+                continue;
+            ++seen;
+            QVERIFY(variant.preset.restitution > 0.0);
+            const Observation o = observe(variant);
+            std::vector<qint64> hits;
+            for (qint64 k = 0; k < o.steps(); ++k) {
+                // Both at once: no wall.
+                if (!(o.circle(0, k + 1).velocity == o.circle(0, k).velocity)
+                    && !(o.circle(1, k + 1).velocity == o.circle(1, k).velocity))
+                    hits.push_back(k);
+            }
+            QVERIFY2(hits.size() == 2, qPrintable(variant.name));
+            QVERIFY(double(hits[1] - hits[0]) * o.timestep() > 0.14);
+            QVERIFY(o.steps() - hits[1] >= 6);
+            const auto lineAt = [&](qint64 k) {
+                return normalized(o.circle(1, k).position - o.circle(0, k).position);
+            };
+            QVERIFY(length(lineAt(hits[0]) - lineAt(hits[1])) < 1e-9);
+            for (int i : {0, 1}) {
+                const Circle &c = o.circle(i, hits[1]);
+                const double room =
+                    4.0 - c.radius - std::max(std::abs(c.position.x), std::abs(c.position.y));
+                QVERIFY2(room > 4.0 * length(c.velocity) * o.timestep(), qPrintable(variant.name));
+            }
+        }
+    }
+    QCOMPARE(seen, 40);
+    // None under gravity, nor where a second hit is not asked for.
+    again.scene.insert(QStringLiteral("gravity"), json({0.0, -9.81}));
+    for (const CheckSpec &none : {again, spec(QStringLiteral("encounters"))}) {
+        for (const Variant &variant : makeVariants(preset, none, 1))
+            QVERIFY(!variant.name.contains(QLatin1String("on one line")));
+    }
+}
+
+void TestEncounterScenes::circlesOfOneDensityAreAmongThem()
+{
+    int alike = 0;
+    for (const Variant &variant : makeVariants(odd(), spec(QStringLiteral("encounters")), 1)) {
+        const Circle &a = variant.preset.circles[0].body;
+        const Circle &b = variant.preset.circles[1].body;
+        alike += a.density == b.density && a.radius != b.radius ? 1 : 0;
+    }
+    QCOMPARE(alike, 1);
 }
 
 void TestEncounterScenes::restitutionsAndTimestepsAreMixed()

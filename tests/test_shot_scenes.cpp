@@ -30,6 +30,7 @@ private slots:
     void shotsAreNamedByTheirDirection_data();
     void shotsAreNamedByTheirDirection();
     void slowHitsDivideAStep();
+    void someAreLetGoLow();
     void whatDriftsFliesAsLongAsTheSquareAllows();
 };
 
@@ -271,6 +272,34 @@ void TestShotScenes::slowHitsDivideAStep()
                 QVERIFY(std::abs(each[i] - each[i - 1] - 1.0 / 6.0) < 1e-9);
         }
     }
+}
+
+/// v² = 2 g h, in what gravity makes in a step.
+void TestShotScenes::someAreLetGoLow()
+{
+    CheckSpec slow = shots(QStringLiteral("slow"));
+    slow.circles = {0};
+    slow.scene.insert(QStringLiteral("gravity"), json({0.0, -9.81}));
+    std::vector<double> speeds;
+    double slowest = 10.0; // m/s
+    for (const Variant &variant : makeVariants(scene({Circle{}}), slow, 1)) {
+        const Circle &c = variant.preset.circles[0].body;
+        if (!(c.velocity == Vec2{}))
+            continue;
+        const double speed = std::sqrt(2.0 * 9.81 * (c.position.y + 4.0 - c.radius));
+        speeds.push_back(speed / (9.81 * variant.preset.timestep));
+        slowest = std::min(slowest, speed);
+        const double after = (variant.duration - speed / 9.81) / variant.preset.timestep;
+        QVERIFY(after > 5.0 && after < 7.0);
+    }
+    QCOMPARE(speeds.size(), std::size_t{3});
+    for (const double speed : speeds)
+        QVERIFY(speed > 3.5 && speed < 12.0);
+    QVERIFY(slowest < 0.45);
+    // Where nothing pulls, nothing would come.
+    slow.scene.remove(QStringLiteral("gravity"));
+    for (const Variant &variant : makeVariants(scene({Circle{}}), slow, 1))
+        QVERIFY(!(variant.preset.circles[0].body.velocity == Vec2{}));
 }
 
 /// Thrown up and back again under gravity over four fifths of the height: h = g t² / 8.

@@ -31,6 +31,7 @@ private slots:
     void someComeSlowlyToAWall();
     void whatIsNotShotAtAWallStaysFree();
     void dropsFallOntoTheFloor();
+    void theLastElasticDropIsLow();
 
 private:
     static void addKinds();
@@ -102,7 +103,9 @@ void TestVariant::studentKeepsLawsAndIntegrators()
         QCOMPARE(variant.preset.halfWidth, 4.0);
         QVERIFY(!variant.preset.fill);
         QVERIFY(variant.preset.gravity == (Vec2{0.0, -9.81}));
-        QCOMPARE(variant.duration, 1.5);
+        // What is let go low is over soon.
+        if (!variant.name.startsWith(QLatin1String("let go")))
+            QCOMPARE(variant.duration, 1.5);
     }
 }
 
@@ -200,6 +203,24 @@ void TestVariant::dropsFallOntoTheFloor()
             lowest = std::min(lowest, o.circle(0, k).position.y - o.circle(0, k).radius);
         QVERIFY(lowest < -3.9);
     }
+}
+
+void TestVariant::theLastElasticDropIsLow()
+{
+    CheckSpec drops = spec(QStringLiteral("drop"));
+    const auto isLow = [](const Variant &variant) {
+        const Circle &c = variant.preset.circles[0].body;
+        return c.position.y - c.radius < -3.8;
+    };
+    const auto scenes = makeVariants(odd(), drops, 1);
+    for (const Variant &variant : scenes)
+        QCOMPARE(isLow(variant), &variant == &scenes.back());
+    drops.scene.insert(QStringLiteral("restitutions"), QJsonArray{1.0, 0.5});
+    const auto lossy = makeVariants(odd(), drops, 1);
+    QVERIFY(std::none_of(lossy.begin(), lossy.end(), isLow));
+    drops.scene.insert(QStringLiteral("restitutions"), QJsonArray{1.0});
+    drops.scene.insert(QStringLiteral("count"), 1);
+    QVERIFY(!isLow(makeVariants(odd(), drops, 1).front()));
 }
 
 QTEST_GUILESS_MAIN(TestVariant)

@@ -140,7 +140,9 @@ std::vector<KindInfo> sceneKinds()
                          make("again", Type::Flag, SceneText::tr("Again at once"),
                               SceneText::tr(
                                   "Some, between equal circles, are in front of a wall that sends "
-                                  "circle 2 back to a second hit, with another line of centres")),
+                                  "circle 2 back to a second hit, with another line of centres; "
+                                  "in two more the heavier circle meets the other twice on one "
+                                  "line, which a wall sends back")),
                          standard().again)})),
         scene("parting", SceneText::tr("Circles that part"),
               SceneText::tr("Circles 1 and 2 overlap, as after a hit that was told late, and move "
@@ -149,10 +151,13 @@ std::vector<KindInfo> sceneKinds()
         scene("slow", SceneText::tr("Slow hits"),
               SceneText::tr("The circles come slowly to the floor and to the ceiling, sooner or "
                             "later in a step: what leaves a wall more slowly than it came is "
-                            "easily turned twice"),
+                            "easily turned twice. Some are let go at rest, just above the floor"),
               1, drawn({})),
         scene(
-            "drop", SceneText::tr("Drops"), SceneText::tr("The circles fall onto the floor"), 1,
+            "drop", SceneText::tr("Drops"),
+            SceneText::tr("The circles fall onto the floor; in the last scene, where e is 1, from "
+                          "so low that they bounce often"),
+            1,
             drawn({usually(inUnit(make("sideways", Type::Range, SceneText::tr("Sideways"),
                                        SceneText::tr("Speed to the right, drawn between the least "
                                                      "and the most")),

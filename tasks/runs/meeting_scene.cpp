@@ -14,8 +14,12 @@ constexpr double timeToContact = 0.5; ///< from the start of an encounter, s
 /// Between two circles, when one that was hit comes to the wall: steps at the speed that they met
 /// with.
 constexpr double stepsToWall = 4.5;
-constexpr double stepsAfter = 12.0; ///< the second of two hits, that none of it is missed
-constexpr double steepest = 1.2;    ///< what the first has across the normal, of what is along it
+constexpr double stepsAfter = 12.0;      ///< the second of two hits, that none of it is missed
+constexpr double rallyStepsBefore = 6.0; ///< from the start of a rally to its first hit
+constexpr double rallyStepsToWall = 6.0; ///< between its second hit and the wall, at any speed
+constexpr double rallyStepsAfter = 7.0;  ///< that second hit, before there is a third
+constexpr Vec2 rallyPause{0.15, 0.25};   ///< between the two, at least, s
+constexpr double steepest = 1.2; ///< what the first has across the normal, of what is along it
 constexpr double placeOfContact = 1.0; ///< encounters happen within ± this of the middle, m
 
 double range(Vec2 lowHigh, Random &random)
@@ -66,6 +70,31 @@ Vec2 placeOf(const Preset &preset, Random &random)
     const double x = random.uniform();
     const double y = random.uniform();
     return {low.x + x * (high.x - low.x), low.y + y * (high.y - low.y)};
+}
+
+double massOf(const Circle &circle)
+{
+    return circle.density * circle.radius * circle.radius * circle.radius;
+}
+
+/// The second hit of a rally whose first one is at speed 1 and distance 1 from the wall.
+struct Return {
+    double time = 0.0;    ///< from the first hit
+    double place = 0.0;   ///< its distance from the wall
+    double fastest = 0.0; ///< speed of the lighter circle from then on or just before
+};
+
+/// \param ratio  of the masses, the heavier by the lighter
+/// \param wall  what of its speed a wall gives back
+Return returnOf(double ratio, double e, double wall)
+{
+    const double heavy = (ratio - e) / (ratio + 1.0);
+    const double light = ratio * (1.0 + e) / (ratio + 1.0);
+    const double back = wall * light;
+    const double between = 1.0 - heavy / light;
+    const double meeting = between / (heavy + back);
+    const double again = (ratio * heavy - back + e * ratio * (heavy + back)) / (ratio + 1.0);
+    return {1.0 / light + meeting, back * meeting, std::max(back, std::abs(again))};
 }
 
 } // namespace
@@ -125,6 +154,33 @@ double placeAgain(Preset &preset, const SceneSpec &spec, Random &random)
     b.position = place - t * b.velocity;
     a.position = place - touching * n - t * a.velocity;
     return t + toWall + back + stepsAfter * dt;
+}
+
+double placeRally(Preset &preset, const SceneSpec &spec, Random &random)
+{
+    const bool isOneHeavier = massOf(preset.circles[0].body) >= massOf(preset.circles[1].body);
+    Circle &heavy = preset.circles[isOneHeavier ? 0 : 1].body;
+    Circle &light = preset.circles[isOneHeavier ? 1 : 0].body;
+    const Vec2 n = outwardNormal(allWalls[static_cast<std::size_t>(random.between(0.0, 3.999))]);
+    const double dt = *std::min_element(spec.timesteps.begin(), spec.timesteps.end());
+    preset.timestep = dt;
+    const double e = preset.restitution;
+    // A wall gives e times its speed back, or all of it.
+    const Return returns[] = {returnOf(massOf(heavy) / massOf(light), e, 1.0),
+                              returnOf(massOf(heavy) / massOf(light), e, e)};
+    const double pause = range(rallyPause, random);
+    double scale = 0.0; // of their times, s
+    for (const Return &second : returns)
+        scale = std::max(
+            {scale, pause / second.time, rallyStepsToWall * dt * second.fastest / second.place});
+    const double speed = random.between(1.0, 1.5);
+    light.position = (preset.halfWidth - light.radius - scale * speed) * n
+                     + random.between(-1.0, 1.0) * perpendicular(n);
+    // A part of a step more, so that the moment of contact falls anywhere inside a step.
+    const double t = (rallyStepsBefore + random.uniform()) * dt;
+    heavy.position = light.position - (heavy.radius + light.radius + t * speed) * n;
+    heavy.velocity = speed * n;
+    return t + scale * std::max(returns[0].time, returns[1].time) + rallyStepsAfter * dt;
 }
 
 void placeParting(Preset &preset, const SceneSpec &spec, double degrees, Random &random)

@@ -34,6 +34,13 @@ void placeEncounter(Preset &preset, const SceneSpec &spec, int i, double degrees
 /// \return s from the start until the second hit is over
 [[nodiscard]] double placeAgain(Preset &preset, const SceneSpec &spec, Random &random);
 
+/// The heavier of circles 1 and 2 drives the other, which rests, straight at a wall and meets it
+/// again when it comes back, some tenths of a second later and well away from the wall: a program
+/// that pauses after a hit misses the second, and one that changes its law after the first is seen.
+/// \pre the restitution is leastRestitution or more
+/// \return s from the start until the second hit is over
+[[nodiscard]] double placeRally(Preset &preset, const SceneSpec &spec, Random &random);
+
 /// As after a hit that was told late: circles 1 and 2 overlap, and for one update more while they
 /// part along a line at \p degrees.
 void placeParting(Preset &preset, const SceneSpec &spec, double degrees, Random &random);

@@ -9,8 +9,11 @@ namespace cradle {
 
 namespace {
 
-constexpr double slowestHit = 0.1; ///< where nothing pulls, a quarter of it, m/s
-constexpr int slowStepsToWall = 3; ///< before a slow hit
+constexpr double slowestHit = 0.1;      ///< where nothing pulls, a quarter of it, m/s
+constexpr int slowStepsToWall = 3;      ///< before a slow hit
+constexpr double stepsAfterLetGo = 6.0; ///< behind the hit, before there is another
+/// Of what is let go: the timestep, s, and the speed at the wall in what gravity makes in a step.
+constexpr Vec2 letGo[letGoScenes] = {{1.0 / 60.0, 11.0}, {1.0 / 60.0, 4.5}, {1.0 / 120.0, 4.5}};
 
 /// Where gravity pulls; downwards where there is none.
 Vec2 pullOf(const Preset &preset)
@@ -45,6 +48,22 @@ void placeSlowHit(Preset &preset, const SceneSpec &spec, int i, const SlowHits &
         c.velocity = (speed - slowStepsToWall * pull) * toWall
                      + random.between(-0.5, 0.5) * perpendicular(toWall);
     }
+}
+
+double placeLetGo(Preset &preset, const SceneSpec &spec, int k, Random &random)
+{
+    const auto [timestep, steps] = letGo[k];
+    preset.timestep = timestep;
+    const Vec2 down = pullOf(preset);
+    const double pull = std::max(quickLength(preset.gravity), slowestHit);
+    for (const int circle : spec.circles) {
+        Circle &c = preset.circles[static_cast<std::size_t>(circle)].body;
+        const double time = (steps + random.between(-0.5, 0.5)) * timestep;
+        const double across = -2.0 + circle * 2.5 + random.between(-0.3, 0.3);
+        c.position = (preset.halfWidth - c.radius - 0.5 * pull * time * time) * down
+                     + across * perpendicular(down);
+    }
+    return (steps + stepsAfterLetGo) * timestep;
 }
 
 void placeCreepingHit(Preset &preset, const SceneSpec &spec, double side, Random &random)

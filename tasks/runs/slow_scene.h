@@ -29,4 +29,13 @@ void placeSlowHit(Preset &preset, const SceneSpec &spec, int i, const SlowHits &
 /// \param side  −1 or 1: which of the two
 void placeCreepingHit(Preset &preset, const SceneSpec &spec, double side, Random &random);
 
+/// How often circles are let go low.
+inline constexpr int letGoScenes = 3;
+
+/// Lets the circles of \p spec go at rest, so low that they come to the wall that gravity pulls to
+/// with a few times what it makes in a step, in shorter and shorter steps with \p k: a program that
+/// takes a slow circle for one that rests lets it sink.
+/// \return s from the start until the hit is over
+[[nodiscard]] double placeLetGo(Preset &preset, const SceneSpec &spec, int k, Random &random);
+
 } // namespace cradle

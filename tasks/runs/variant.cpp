@@ -22,6 +22,8 @@ struct VariantText {
 };
 
 constexpr double halfWidth = 4.0; ///< of the square of pinned scenes, m
+constexpr int rallyScenes = 2;    ///< behind the encounters, where circles meet again
+constexpr double lowDrop = 0.1;   ///< from which a circle bounces often, m
 QString timestepText(double timestep)
 {
     return VariantText::tr("timestep 1/%1 s").arg(qRound(1.0 / timestep));
@@ -61,7 +63,12 @@ public:
         if (m_spec.kind == QLatin1String("slow")) {
             for (const double side : {-1.0, 1.0})
                 addCreepingHit(side);
+            for (int k = 0; m_spec.gravity != Vec2{} && k < letGoScenes; ++k)
+                addLetGo(k);
         }
+        const bool rallies = m_spec.kind == QLatin1String("encounters") && m_spec.again;
+        for (int k = 0; rallies && m_spec.gravity == Vec2{} && k < rallyScenes; ++k)
+            addRally(k);
         return std::move(m_variants);
     }
 
@@ -227,6 +234,14 @@ private:
             preset);
     }
 
+    void addLetGo(int k)
+    {
+        Preset preset = stage(0, needed());
+        const double duration = placeLetGo(preset, m_spec, k, m_random);
+        add(VariantText::tr("let go low %1").arg(k + 1), preset);
+        m_variants.back().duration = std::min(m_spec.duration, duration);
+    }
+
     void addDrop(int i)
     {
         Preset preset = stage(i, needed());
@@ -234,6 +249,9 @@ private:
             PresetCircle &c = preset.circles[static_cast<std::size_t>(circle)];
             c.body.position = {-2.0 + circle * 2.5, m_random.between(-0.5, 0.5)};
             c.body.velocity = {range(m_spec.sideways), 0.0};
+            // Where nothing is lost, one bounces often.
+            if (i > 0 && i + 1 == m_spec.count && preset.restitution == 1.0)
+                c.body.position.y = lowDrop + c.body.radius - preset.halfWidth;
         }
         add(VariantText::tr("drop %1").arg(i + 1), preset);
     }
@@ -242,7 +260,8 @@ private:
     /// more.
     [[nodiscard]] bool meetsAgain(int i, double e) const
     {
-        if (!m_spec.again || e < leastRestitution)
+        // Straight on they meet again on the same line: that is a rally.
+        if (!m_spec.again || e < leastRestitution || m_spec.offset == 0.0)
             return false;
         const auto all = static_cast<int>(m_spec.restitutions.size());
         if (all == 1)
@@ -264,6 +283,8 @@ private:
     {
         Preset preset = stage(i, 2);
         const double degrees = angleOf(i);
+        if (i % 8 == 6) // whose masses differ by their radii alone
+            preset.circles[1].body.density = preset.circles[0].body.density;
         placeEncounter(preset, m_spec, i, degrees, m_random);
         if (meetsAgain(i, preset.restitution)) {
             const double duration = placeAgain(preset, m_spec, m_random);
@@ -272,6 +293,18 @@ private:
             return;
         }
         add(VariantText::tr("contact at %1°").arg(degrees, 0, 'f', 1), preset);
+    }
+
+    /// With the largest e, then with the one before it.
+    void addRally(int k)
+    {
+        const auto last = static_cast<int>(m_spec.restitutions.size()) - 1;
+        Preset preset = stage(std::max(0, last - k), 2);
+        if (preset.restitution < leastRestitution)
+            return;
+        const double duration = placeRally(preset, m_spec, m_random);
+        add(VariantText::tr("two hits on one line %1").arg(k + 1), preset);
+        m_variants.back().duration = duration;
     }
 
     void addParting(int i)
