@@ -3,7 +3,7 @@
 #include "app/work_job.h"
 
 #include <QDateTime>
-#include <QtConcurrent>
+#include <QtConcurrentRun>
 
 namespace cradle {
 

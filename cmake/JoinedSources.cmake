@@ -5,7 +5,7 @@
 # include. So what the unnamed namespaces of a room hold has different names in different files.
 # -DCRADLE_JOIN=OFF compiles each for itself, which proves that every source includes what it uses.
 option(CRADLE_JOIN "Compile a few sources of a room, or tests of a folder, at a time" ON)
-set(cradle_joined_sources 6)
+set(cradle_joined_sources 12)
 
 # cradle_join(TARGET): for the sources that the target has by now.
 function(cradle_join target)

@@ -4,7 +4,7 @@
 
 #include "tasks/script/student_script.h"
 
-#include <QtConcurrent>
+#include <QtConcurrentFilter>
 
 using namespace cradle;
 using namespace cradle::programs;

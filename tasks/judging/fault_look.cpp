@@ -11,9 +11,9 @@ namespace cradle {
 namespace {
 
 /// Steps after the moment, in which an answer that comes a step later has come.
-constexpr qint64 later = 2;
+constexpr qint64 answerLate = 2;
 /// Of velocities: a step earlier or later gravity has changed a little.
-constexpr double near = 0.03;
+constexpr double alikeSpeeds = 0.03;
 /// Steps before the moment, in which what a program keeps from one step to the next has settled.
 constexpr qint64 settling = 3;
 
@@ -55,7 +55,7 @@ FaultLook::FaultLook(const QString &program, const QString &reference, const Mom
     , m_isHit(isHit)
     , m_isQuestion(isQuestion)
 {
-    const qint64 steps = moment.step + (moment.isPosition ? 0 : later);
+    const qint64 steps = moment.step + (moment.isPosition ? 0 : answerLate);
     for (auto *scene : {&m_first, &m_second}) {
         // One step more: two changes of sign make none.
         *scene = scene == &m_first ? sceneOf(moment.stage, steps)
@@ -143,7 +143,7 @@ std::optional<FaultLook::Scene> FaultLook::sceneOf(const Stage &stage, qint64 st
     const auto isWhole = [&](const std::vector<World> &states) {
         return static_cast<qint64>(states.size()) == steps + 1;
     };
-    Scene scene{.stage = stage, .steps = steps, .slack = slackIn(stage), .near = near};
+    Scene scene{.stage = stage, .steps = steps, .slack = slackIn(stage), .near = alikeSpeeds};
     if (!isWhole(right) || !isWhole(theirs))
         return scene;
     scene.whole = {right.back().circles, theirs.back().circles};

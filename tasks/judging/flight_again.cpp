@@ -27,7 +27,7 @@ Vec2 placeAt(int look, std::size_t circle)
 }
 
 /// Some are so much faster, where they come to nothing.
-constexpr double fast = 6.0;
+constexpr double fastAgain = 6.0;
 constexpr int fastLook = 5;
 constexpr double middle = 2.5; ///< m
 
@@ -46,7 +46,7 @@ void placeFor(int look, Preset &scene)
         const bool isUp = look % 2 != 0 || c.position.y < lowest;
         const double side = (static_cast<std::size_t>(look) / 3 + i) % 2 == 0 ? 1.13 : -1.21;
         const bool isFast = look % fastLook == 0 && isInMiddle(c.position);
-        c.velocity = (isFast ? fast : 1.0) * Vec2{side, isUp ? 1.37 : -1.43};
+        c.velocity = (isFast ? fastAgain : 1.0) * Vec2{side, isUp ? 1.37 : -1.43};
     }
 }
 

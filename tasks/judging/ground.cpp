@@ -110,12 +110,12 @@ void includePair(Ground &ground, const CheckSpec &check, const SceneSpec &scene)
 /// the first two not opposite each other about the origin, and those of a crowd above and below.
 Vec2 placeOf(std::size_t circle)
 {
-    static constexpr Vec2 middle[] = {{-1.37, 0.83}, {1.21, -0.24}, {2.93, 1.58}, {-1.52, -1.71}};
+    static constexpr Vec2 central[] = {{-1.37, 0.83}, {1.21, -0.24}, {2.93, 1.58}, {-1.52, -1.71}};
     static constexpr double rows[] = {3.17, -3.23, 2.51, -2.57};
     constexpr std::size_t perRow = 8;
-    if (circle < std::size(middle))
-        return middle[circle];
-    const std::size_t i = circle - std::size(middle);
+    if (circle < std::size(central))
+        return central[circle];
+    const std::size_t i = circle - std::size(central);
     return {-3.07 + 0.89 * static_cast<double>(i % perRow), rows[(i / perRow) % std::size(rows)]};
 }
 

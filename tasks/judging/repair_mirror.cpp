@@ -11,7 +11,7 @@ namespace cradle {
 namespace {
 
 /// Lines between what is said of one circle and of the other.
-constexpr int near = 6;
+constexpr int nearLines = 6;
 
 /// What a name is of the other circle, or of the other coordinate; the name itself if it has no
 /// partner in the program.
@@ -140,7 +140,8 @@ void repairMirror(RepairList &repairs, int line)
     const QString head = headOf(row);
     if (head.isEmpty())
         return mirrorWithin(repairs, line);
-    for (int at = std::max(1, line - near); at <= std::min(program.count(), line + near); ++at) {
+    for (int at = std::max(1, line - nearLines); at <= std::min(program.count(), line + nearLines);
+         ++at) {
         for (const bool isCoordinate : {false, true}) {
             const qsizetype start = program.startOf(at);
             const QString other =

@@ -11,7 +11,7 @@
 #include "tasks/text/quantity_text.h"
 
 #include <QCoreApplication>
-#include <QtConcurrent>
+#include <QtConcurrentMap>
 
 #include <algorithm>
 

@@ -43,12 +43,12 @@ constexpr WorldField worldFields[] = {
 };
 
 /// The same of a circle, behind "circles/N/"; %1 is its name.
-struct CircleField {
+struct LockableField {
     const char *name;
     const char *said;
     bool (*isSame)(const PresetCircle &, const PresetCircle &);
 };
-constexpr CircleField circleFields[] = {
+constexpr LockableField lockableOfCircle[] = {
     {"position", QT_TRANSLATE_NOOP("Locks", "position of %1"),
      [](auto &a, auto &b) { return a.body.position == b.body.position; }},
     {"velocity", QT_TRANSLATE_NOOP("Locks", "velocity of %1"),
@@ -78,14 +78,14 @@ const Field *named(const Field (&table)[size], const QString &name)
 /// A field of one circle.
 struct LockedField {
     std::size_t circle = 0; ///< from 0
-    const CircleField *field = nullptr;
+    const LockableField *field = nullptr;
 };
 
 std::optional<LockedField> circleFieldFrom(const QString &field)
 {
     static const QRegularExpression form(QStringLiteral("^circles/([1-9][0-9]{0,5})/([a-z]+)$"));
     const auto match = form.match(field);
-    const CircleField *known = named(circleFields, match.captured(2));
+    const LockableField *known = named(lockableOfCircle, match.captured(2));
     if (!known)
         return std::nullopt;
     return LockedField{match.captured(1).toULong() - 1, known};
@@ -113,7 +113,7 @@ QStringList lockableFields(const Preset &preset)
         fields.append(QLatin1String(field.name));
     const int count = std::min(static_cast<int>(preset.circles.size()), mostCircles);
     for (int circle = 1; circle <= count; ++circle) {
-        for (const CircleField &field : circleFields)
+        for (const LockableField &field : lockableOfCircle)
             fields.append(
                 QStringLiteral("circles/%1/%2").arg(circle).arg(QLatin1String(field.name)));
     }

@@ -6,6 +6,7 @@
 #include "views/code/code_pane.h"
 
 #include <QAction>
+#include <QSignalSpy>
 #include <QTableWidget>
 
 using namespace cradle;
