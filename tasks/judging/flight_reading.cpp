@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/flight_reading.h"
 
+#include "tasks/judging/flight_leader.h"
 #include "tasks/judging/flight_scenes.h"
 #include "tasks/judging/steps_reading.h"
 
@@ -12,83 +13,6 @@ namespace cradle {
 namespace {
 
 using namespace flights;
-
-/// The circle whose velocity moves circle \p i, where its own does not.
-int leaderOf(const QString *program, const Ground &ground, Vec2 gravity, double h, std::size_t i,
-             const Steps &rest)
-{
-    for (std::size_t j = 0; j < ground.flights.size(); ++j) {
-        if (j == i)
-            continue;
-        const Steps alone = fly(program, flightPreset(ground, gravity, h, Scene::Alone, j));
-        if (!alone.made)
-            continue;
-        const Vec2 moved = alone.after[i].position - alone.before[i].position
-                           - (rest.after[i].position - rest.before[i].position);
-        const Vec2 v = alone.before[j].velocity - rest.before[j].velocity;
-        if (length(moved - h * v) <= 1e-9 + 1e-6 * length(moved) && length(v) > 0.0)
-            return static_cast<int>(j);
-    }
-    return -1;
-}
-
-/// Whether circle \p i is nearer to where circle \p j was than to where itself was, one step later.
-bool startsFrom(const Steps &run, std::size_t j, std::size_t i)
-{
-    const auto way = [&](std::size_t k) {
-        return length(run.before[i].position - run.start[k].position);
-    };
-    return run.made && way(j) < way(i);
-}
-
-/// The circle beside whose start circle \p i is one step later, far from its own, in both runs.
-int placedBy(const Steps &first, const Steps &second, std::size_t i)
-{
-    constexpr double near = 0.3; // m: more than a step's way, and than what a hit pushes it aside
-    const auto isBeside = [&](const Steps &run, std::size_t j) {
-        const auto from = [&](std::size_t k) {
-            return length(run.before[i].position - run.start[k].position);
-        };
-        return run.made && from(j) < near && from(i) > 3.0 * near;
-    };
-    for (std::size_t j = 0; j < first.start.size(); ++j) {
-        if (j != i && isBeside(first, j) && isBeside(second, j))
-            return static_cast<int>(j);
-    }
-    return -1;
-}
-
-/// The circle whose velocity circle \p i has one step later, but for what it has from rest.
-int borrowedBy(const Steps &rest, const Steps &first, const Steps &second, std::size_t i)
-{
-    const auto isFrom = [&](const Steps &s, std::size_t j) {
-        const Vec2 got = s.before[i].velocity - rest.before[i].velocity;
-        return length(got - s.start[j].velocity) < 1e-9;
-    };
-    for (std::size_t j = 0; j < rest.start.size(); ++j) {
-        if (j != i && isFrom(first, j) && isFrom(second, j))
-            return static_cast<int>(j);
-    }
-    return -1;
-}
-
-/// The circle at whose place circle \p i is after the first step, though it started elsewhere.
-int followedBy(const Steps &steps, std::size_t i)
-{
-    const auto isAt = [](const Circle &a, const Circle &b) {
-        return length(a.position - b.position) < 1e-6;
-    };
-    for (std::size_t j = 0; j < steps.start.size(); ++j) {
-        // The one that leapt is the one that follows.
-        const auto leap = [&](std::size_t k) {
-            return length(steps.before[k].position - steps.start[k].position);
-        };
-        if (j != i && isAt(steps.before[i], steps.before[j])
-            && !isAt(steps.start[i], steps.start[j]) && leap(i) > leap(j))
-            return static_cast<int>(j);
-    }
-    return -1;
-}
 
 /// Whether a fast circle does not lose what slow ones lose in a step.
 bool keepsSpeed(const Flight &slow, const Steps &rest, const Steps &run, std::size_t i)
@@ -140,16 +64,6 @@ void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t
     flight.lateVelocity = late.before[i].velocity;
     flight.firstWay = first.before[i].position - first.start[i].position;
     flight.lateFirstWay = late.before[i].position - late.start[i].position;
-}
-
-std::optional<Flight::Step> secondStep(const Steps &run, std::size_t i)
-{
-    if (!run.made)
-        return std::nullopt;
-    const Circle &before = run.before[i];
-    const Circle &after = run.after[i];
-    return Flight::Step{before.velocity, after.position - before.position,
-                        after.velocity - before.velocity};
 }
 
 /// What is fast, or goes the other way, must go by its velocity as the first one does.
@@ -312,54 +226,6 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
                            static_cast<std::size_t>(flights[i].leader), i);
     }
     return flights;
-}
-
-std::optional<Flight::Step> measureHeavierFall(const QString *program, const Ground &ground,
-                                               Vec2 gravity, double h, std::size_t i)
-{
-    Preset preset = flightPreset(ground, gravity, h, Scene::Rest);
-    // The others stay as they are: its fall may hang on their masses, too.
-    preset.circles[i].body.radius *= 1.25;
-    preset.circles[i].body.density *= 1.5;
-    return secondStep(fly(program, preset), i);
-}
-
-std::optional<Flight::Step> measureWhileOthersRest(const QString *program, const Ground &ground,
-                                                   Vec2 gravity, double h, std::size_t i)
-{
-    return secondStep(fly(program, flightPreset(ground, gravity, h, Scene::Apart, i)), i);
-}
-
-std::optional<Flight::Step> measureWithRestitution(const QString *program, const Ground &ground,
-                                                   Vec2 gravity, double h, std::size_t i,
-                                                   double restitution)
-{
-    Preset preset = flightPreset(ground, gravity, h, Scene::First);
-    preset.restitution = restitution;
-    return secondStep(fly(program, preset), i);
-}
-
-std::optional<Flight::Step> measureSlowStart(const QString *program, const Ground &ground,
-                                             double slower, double h, std::size_t i)
-{
-    Preset preset = flightPreset(ground, {}, h, Scene::First);
-    for (auto &each : preset.circles)
-        each.body.velocity = slower * each.body.velocity;
-    Probe probe(program, {preset, true});
-    const Circle &start = preset.circles[i].body;
-    if (!probe.runs() || !probe.step())
-        return std::nullopt;
-    const Circle &now = probe.circle(static_cast<int>(i));
-    return Flight::Step{start.velocity, now.position - start.position,
-                        now.velocity - start.velocity};
-}
-
-Stage flightStage(const Ground &ground, Vec2 gravity, double h, Flight::Speed speed)
-{
-    const Scene scene = speed == Flight::Speed::Fast   ? Scene::Fast
-                        : speed == Flight::Speed::Slow ? Scene::Slow
-                                                       : Scene::First;
-    return {flightPreset(ground, gravity, h, scene), true};
 }
 
 } // namespace cradle

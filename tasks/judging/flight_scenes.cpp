@@ -20,7 +20,7 @@ Vec2 velocityOf(int flight, std::size_t circle)
 
 /// How much faster the circles are in Scene::Fast than in Scene::First, and how much slower in
 /// Scene::Slow.
-constexpr double fast = 5.0;
+constexpr double fastFlight = 5.0;
 constexpr double slow = 0.17;
 /// How fast those of Scene::Falling come down at least, m/s: as what fell 4 m.
 constexpr double deep = 9.0;
@@ -39,7 +39,7 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
         else if (scene == Scene::Second)
             c.velocity = velocityOf(1, i);
         else if (scene == Scene::Fast || scene == Scene::Behind)
-            c.velocity = fast * velocityOf(0, i);
+            c.velocity = fastFlight * velocityOf(0, i);
         else if (scene == Scene::Slow)
             c.velocity = slow * velocityOf(0, i);
         else if (scene == Scene::Back)
@@ -52,7 +52,7 @@ Preset flightPreset(const Ground &ground, Vec2 gravity, double h, Scene scene, s
             c.position += shift;
         if (scene == Scene::Ahead || scene == Scene::Behind)
             c.position +=
-                (scene == Scene::Ahead ? 1.0 : -1.0) * (fast - 1.0) * h * velocityOf(0, i);
+                (scene == Scene::Ahead ? 1.0 : -1.0) * (fastFlight - 1.0) * h * velocityOf(0, i);
     }
     return preset;
 }
@@ -74,6 +74,16 @@ Steps fly(const QString *program, const Preset &preset, qint64 from)
     steps.after = probe.world().circles;
     steps.made = true;
     return steps;
+}
+
+std::optional<Flight::Step> secondStep(const Steps &run, std::size_t i)
+{
+    if (!run.made)
+        return std::nullopt;
+    const Circle &before = run.before[i];
+    const Circle &after = run.after[i];
+    return Flight::Step{before.velocity, after.position - before.position,
+                        after.velocity - before.velocity};
 }
 
 } // namespace cradle::flights

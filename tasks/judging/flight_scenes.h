@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/judging/flight_reading.h"
 #include "tasks/judging/ground.h"
 #include "tasks/judging/probe.h"
 
+#include <optional>
 #include <vector>
 
 /// The short flights in which the free motion of a program is measured.
@@ -48,5 +50,8 @@ inline constexpr qint64 lateSteps = 97;
 
 /// \param from  the step that the run is at when it begins
 [[nodiscard]] Steps fly(const QString *program, const Preset &preset, qint64 from = 0);
+
+/// The second step of circle \p i; nothing where it was not made.
+[[nodiscard]] std::optional<Flight::Step> secondStep(const Steps &run, std::size_t i);
 
 } // namespace cradle::flights

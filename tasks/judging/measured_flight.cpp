@@ -34,35 +34,38 @@ MeasuredFlight::MeasuredFlight(const QString *program, const Ground &ground)
 
 std::optional<Vec2> MeasuredFlight::ownFallElsewhere(int i) const
 {
-    Probe probe(m_program, {m_ground.own, false});
-    if (!probe.runs())
-        return std::nullopt;
-    World world = probe.world();
-    const Preset stage = m_ground.stage();
-    for (std::size_t k = 0; k < std::min(world.circles.size(), stage.circles.size()); ++k) {
-        world.circles[k].position = stage.circles[k].body.position;
-        world.circles[k].velocity = {};
-    }
-    probe.place(world);
-    if (!probe.step())
-        return std::nullopt;
-    const Vec2 before = probe.circle(i).velocity;
-    return probe.step() ? std::optional((probe.circle(i).velocity - before) / m_own.scene.timestep)
-                        : std::nullopt;
+    auto probe = ownWith([](Circle &c, int, Vec2 place) {
+        c.position = place;
+        c.velocity = {};
+    });
+    return probe && probe->step() ? nextFall(*probe, i) : std::nullopt;
 }
 
 std::optional<Vec2> MeasuredFlight::ownFallApart(int i) const
 {
-    Probe probe(m_program, {m_ground.own, false});
-    if (!probe.runs())
-        return std::nullopt;
-    World world = probe.world();
+    auto probe = ownWith([i](Circle &c, int circle, Vec2 place) {
+        if (circle != i)
+            c.position = place;
+    });
+    return probe ? nextFall(*probe, i) : std::nullopt;
+}
+
+std::unique_ptr<Probe>
+MeasuredFlight::ownWith(const std::function<void(Circle &, int circle, Vec2 place)> &set) const
+{
+    auto probe = std::make_unique<Probe>(m_program, Stage{m_ground.own, false});
+    if (!probe->runs())
+        return nullptr;
+    World world = probe->world();
     const Preset stage = m_ground.stage();
-    for (std::size_t k = 0; k < std::min(world.circles.size(), stage.circles.size()); ++k) {
-        if (static_cast<int>(k) != i)
-            world.circles[k].position = stage.circles[k].body.position;
-    }
-    probe.place(world);
+    for (std::size_t k = 0; k < std::min(world.circles.size(), stage.circles.size()); ++k)
+        set(world.circles[k], static_cast<int>(k), stage.circles[k].body.position);
+    probe->place(world);
+    return probe;
+}
+
+std::optional<Vec2> MeasuredFlight::nextFall(Probe &probe, int i) const
+{
     const Vec2 before = probe.circle(i).velocity;
     return probe.step() ? std::optional((probe.circle(i).velocity - before) / m_own.scene.timestep)
                         : std::nullopt;

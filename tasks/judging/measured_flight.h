@@ -7,6 +7,7 @@
 #include "tasks/judging/stray_wall.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 namespace cradle {
@@ -87,6 +88,13 @@ public:
     [[nodiscard]] bool isLike(const MeasuredFlight &other) const;
 
 private:
+    /// The own scene, in which \p set has changed every circle at hand of a place apart from all
+    /// others, m; nothing where the program does not run.
+    [[nodiscard]] std::unique_ptr<Probe>
+    ownWith(const std::function<void(Circle &, int circle, Vec2 place)> &set) const;
+    /// The acceleration of circle \p i in the next step of \p probe of the own scene, m/s².
+    [[nodiscard]] std::optional<Vec2> nextFall(Probe &probe, int i) const;
+
     struct Measured {
         Vec2 gravity;
         double timestep;

@@ -52,7 +52,7 @@ int PairRange::stepsAfter(const PairHit &model) const
         if (!probe.step())
             return 0;
         for (std::size_t i = 0; i < 2 && k > model.step; ++i) {
-            const Motion free = freely(i, before, probe.start().timestep);
+            const Motion free = m_paths.free(i, before, probe.start().timestep);
             const Circle &now = probe.circle(static_cast<int>(i));
             if (length(now.position - free.position) + length(now.velocity - free.velocity)
                 > smallest)
@@ -68,7 +68,7 @@ std::vector<PairOccasion> PairRange::again(const PairHit &model) const
     const bool isElsewhere = model.isMet() && !model.fits(meeting.sum());
     const double aim = isElsewhere ? 0.5 * (model.before + model.reached) : meeting.sum();
     const auto at = [&](Vec2 place, double speed = 1.0, double turn = 0.0) {
-        PairOccasion one{{.meeting = meeting, .slowness = slowness(shortStep)},
+        PairOccasion one{{.meeting = meeting, .slowness = m_paths.slowness(shortStep)},
                          {.place = m_ground.pair.room * place}};
         Meeting &m = one.hit.meeting;
         m.middle = one.when.place;

@@ -12,106 +12,15 @@ namespace {
 
 constexpr double kick = 1e-8; ///< of a velocity, relative: what no rounding makes
 constexpr double secondsOfOwn = 6.0;
-/// Of v h, of one of two circles that go unequally far: a longer way begins behind walls.
-constexpr double longestWay = 3.0;
 
 } // namespace
 
 PairRange::PairRange(const QString *program, const Ground &ground, const MeasuredFlight &flight)
     : m_program(program)
     , m_ground(ground)
-    , m_flight(flight)
+    , m_paths(program, ground, flight)
     , m_h(ground.stage().timestep)
 {
-}
-
-bool PairRange::isEven() const
-{
-    const auto &flights = m_flight.at({}, m_h);
-    return isAlike(flights[0].way.x, flights[1].way.x) && flights[0].leader < 0
-           && flights[1].leader < 0;
-}
-
-bool PairRange::isKnown() const
-{
-    for (const double h : {m_h, shortStep}) {
-        const auto &flights = m_flight.at({}, h);
-        for (std::size_t i = 0; i < 2; ++i) {
-            const Flight &f = flights[i];
-            if (f.leader >= 0 && !isEven() && followsLaw(i, h))
-                continue;
-            if (!f.isKnown || f.way.x <= 0.0 || !isAlike(f.way.x, f.way.y)
-                || length(f.drift) > 0.1 * f.way.x * h * slowness(h)
-                || (!isEven() && (f.way.x > longestWay || !followsLaw(i, h))))
-                return false;
-        }
-    }
-    return fliesAlike();
-}
-
-bool PairRange::followsLaw(std::size_t i, double h) const
-{
-    Preset preset = m_ground.stage();
-    preset.timestep = h;
-    preset.circles[0].body.position = {-1.7, 0.9};
-    preset.circles[0].body.velocity = {0.6, 0.2};
-    preset.circles[1].body.position = {1.8, -0.1};
-    preset.circles[1].body.velocity = {0.3, -0.5};
-    Probe probe(m_program, {preset, true});
-    const std::vector<Circle> before = probe.world().circles;
-    if (!probe.step())
-        return false;
-    const Circle &now = probe.circle(static_cast<int>(i));
-    return length(now.velocity - before[i].velocity) < 1e-9
-           && length(now.position - before[i].position - wayOf(i, before, h)) < 1e-9;
-}
-
-Vec2 PairRange::wayOf(std::size_t i, const std::vector<Circle> &circles, double h) const
-{
-    const Flight &f = m_flight.at({}, h)[i];
-    return f.leader >= 0 ? h * circles[static_cast<std::size_t>(f.leader)].velocity
-                         : f.after(circles[i], h).position - circles[i].position;
-}
-
-Motion PairRange::freely(std::size_t i, const std::vector<Circle> &circles, double h,
-                         Vec2 gravity) const
-{
-    const Circle &c = circles[i];
-    return isEven() ? m_flight.at(gravity, h)[i].after(c, h)
-                    : Motion{c.position + h * c.velocity, c.velocity};
-}
-
-std::vector<Circle> PairRange::aimed(const std::vector<Circle> &circles, double h) const
-{
-    std::vector<Circle> set = circles;
-    for (std::size_t i = 0; i < 2 && !isEven(); ++i)
-        set[i].position = freely(i, circles, h).position - wayOf(i, circles, h);
-    return set;
-}
-
-bool PairRange::fliesAlike() const
-{
-    const Ground::Pair &asked = m_ground.pair;
-    if (!asked.radii.isVaried() && !asked.densities.isVaried() && asked.restitutions.size() < 2)
-        return true;
-    Preset preset = m_ground.stage();
-    preset.restitution = *std::min_element(asked.restitutions.begin(), asked.restitutions.end());
-    const double speed = slowness(m_h);
-    preset.circles[0].body = {
-        {-1.7, 0.9}, {0.6 * speed, 0.2 * speed}, asked.radii.low, asked.densities.high};
-    preset.circles[1].body = {
-        {1.8, -0.1}, {0.3 * speed, -0.5 * speed}, asked.radii.high, asked.densities.low};
-    Probe probe(m_program, {preset, true});
-    const std::vector<Circle> before = probe.world().circles;
-    // What stops the program is told as that.
-    if (!probe.step())
-        return true;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Vec2 free = freely(i, before, m_h).velocity;
-        if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-4 * speed)
-            return false;
-    }
-    return true;
 }
 
 PairHit PairRange::scan(const Meeting &meeting) const
@@ -161,9 +70,18 @@ PairHit PairRange::part(const Meeting &meeting) const
     const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
     const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
     PairHit hit = meet(meeting, distance, distance, m_h, 1);
-    hit.again = hit.answered && isEven() && isAnsweredAgain(hit);
-    hit.anew = hit.answered && isEven() && isAnsweredAnew(hit);
+    hit.again = hit.answered && m_paths.areEven() && isAnsweredAgain(hit);
+    hit.anew = hit.answered && m_paths.areEven() && isAnsweredAnew(hit);
     return hit;
+}
+
+bool PairRange::isTurned(const std::vector<Circle> &before, const Probe &probe) const
+{
+    const auto differs = [&](int i) {
+        const Vec2 free = m_paths.free(static_cast<std::size_t>(i), before, m_h).velocity;
+        return length(probe.circle(i).velocity - free) > 1e-6;
+    };
+    return differs(0) || differs(1);
 }
 
 /// Whether what was answered in the first step is answered again before they are apart.
@@ -175,11 +93,8 @@ bool PairRange::isAnsweredAgain(const PairHit &hit) const
         const std::vector<Circle> before = probe.world().circles;
         if (length(before[1].position - before[0].position) > hit.meeting.sum() || !probe.step())
             return false;
-        for (std::size_t i = 0; k > 1 && i < 2; ++i) {
-            const Vec2 free = freely(i, before, m_h).velocity;
-            if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-6)
-                return true;
-        }
+        if (k > 1 && isTurned(before, probe))
+            return true;
     }
     return false;
 }
@@ -231,7 +146,7 @@ Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h
         return m.middle + along * distance * n - time * across * t;
     };
     const auto velocity = [&](double along, double across) {
-        return slowness(h) * (along * n + across * t);
+        return m_paths.slowness(h) * (along * n + across * t);
     };
     a = {place(-0.5, v.across1), velocity(v.along1, v.across1), m.radius1, m.density1};
     b = {place(0.5, v.across2), velocity(v.along2, v.across2), m.radius2, m.density2};
@@ -243,7 +158,7 @@ Stage PairRange::stageOf(const Meeting &m, double distance, double aim, double h
 PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, double h,
                         int most) const
 {
-    PairHit hit{.meeting = meeting, .slowness = slowness(h)};
+    PairHit hit{.meeting = meeting, .slowness = m_paths.slowness(h)};
     hit.stage = stageOf(meeting, distance, aim, h);
     Probe probe(m_program, hit.stage);
     std::vector<Circle> before = probe.world().circles;
@@ -257,8 +172,8 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
             && length(d) > 0.3 * meeting.sum())
             break;
         const bool isHeld = hit.isHeld();
-        const std::vector<Circle> set = aimed(before, h);
-        if (!isEven()) {
+        const std::vector<Circle> set = m_paths.aimed(before, h);
+        if (!m_paths.areEven()) {
             World world = probe.world();
             world.circles = set;
             probe.place(world);
@@ -269,7 +184,7 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
         }
         note(hit, before, probe, k);
         // A run that begins as this step does shows the same.
-        if (!isEven() && (hit.answered || hit.isHeld() != isHeld)) {
+        if (!m_paths.areEven() && (hit.answered || hit.isHeld() != isHeld)) {
             hit.step = 1;
             for (std::size_t i = 0; i < 2; ++i)
                 hit.stage.preset.circles[i].body = set[i];
@@ -277,8 +192,8 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
         if (hit.answered)
             break;
         std::vector<Circle> next = probe.world().circles;
-        for (std::size_t i = 0; i < 2 && !isEven(); ++i)
-            next[i].position = freely(i, before, h).position;
+        for (std::size_t i = 0; i < 2 && !m_paths.areEven(); ++i)
+            next[i].position = m_paths.free(i, before, h).position;
         before = std::move(next);
     }
     return hit;
@@ -293,8 +208,8 @@ void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Prob
                      Vec2 gravity) const
 {
     const double h = probe.start().timestep;
-    const Motion free1 = freely(0, before, h, gravity);
-    const Motion free2 = freely(1, before, h, gravity);
+    const Motion free1 = m_paths.free(0, before, h, gravity);
+    const Motion free2 = m_paths.free(1, before, h, gravity);
     const auto turned = [&](Vec2 made, Vec2 free) {
         return length(made - free) > kick * (hit.slowness + length(free));
     };
@@ -350,7 +265,7 @@ void PairRange::notePlaces(PairHit &hit, const std::vector<Circle> &before, cons
                            Vec2 gravity) const
 {
     // Who is set before every step is not where its own step would take it.
-    if (!isEven() || !hit.isMet())
+    if (!m_paths.areEven() || !hit.isMet())
         return;
     constexpr double smallest = 1e-5; // m: less is a drift of every step
     const double h = probe.start().timestep;
@@ -358,14 +273,14 @@ void PairRange::notePlaces(PairHit &hit, const std::vector<Circle> &before, cons
     for (const int i : {0, 1}) {
         const Circle &was = before[static_cast<std::size_t>(i)];
         const Circle &now = probe.circle(i);
-        const Motion free = freely(static_cast<std::size_t>(i), before, h, gravity);
+        const Motion free = m_paths.free(static_cast<std::size_t>(i), before, h, gravity);
         const HitPlace place{
             .apart = i == 0 ? -1.0 * normal : normal,
             .turn = length(hit.nextNormal - hit.normal),
             .overlap = std::max(0.0, hit.meeting.sum() - std::min(hit.before, hit.reached)),
             .isLate = hit.before < hit.meeting.sum(),
             .free = free.position - was.position,
-            .bounced = h / slowness(h) * now.velocity,
+            .bounced = h / m_paths.slowness(h) * now.velocity,
             .made = now.position - was.position};
         const auto found = misplacementOf(place, smallest + 2.0 * length(gravity) * h * h);
         if (found && (!hit.misplaced || found->by > hit.misplaced->by)) {

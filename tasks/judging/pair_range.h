@@ -5,6 +5,7 @@
 #include "tasks/judging/likeness.h"
 #include "tasks/judging/long_run.h"
 #include "tasks/judging/measured_pair.h"
+#include "tasks/judging/pair_paths.h"
 
 #include <array>
 #include <map>
@@ -18,15 +19,17 @@ public:
     PairRange(const QString *program, const Ground &ground, const MeasuredFlight &flight);
 
     /// Whether it is known how each of them goes on by the velocities of both.
-    [[nodiscard]] bool isKnown() const;
+    [[nodiscard]] bool isKnown() const { return m_paths.areKnown(); }
 
     /// Whether they go as far as they should, so that the own scene can be read.
-    [[nodiscard]] bool isUsual() const { return isEven() && isAlike(slowness(m_h), 1.0, 0.05); }
+    [[nodiscard]] bool isUsual() const
+    {
+        return isEven() && isAlike(m_paths.slowness(m_h), 1.0, 0.05);
+    }
 
-    /// Whether both go as far by their own velocities, one as the other. Else they are set before
-    /// every step so that they come to where their velocities would bring them, and long runs,
-    /// which nobody sets, show nothing.
-    [[nodiscard]] bool isEven() const;
+    /// Whether both go as far by their own velocities, one as the other; else long runs, in which
+    /// nobody sets them before every step, show nothing.
+    [[nodiscard]] bool isEven() const { return m_paths.areEven(); }
 
     /// Comes from far in steps of the usual length.
     [[nodiscard]] PairHit scan(const Meeting &meeting) const;
@@ -91,17 +94,6 @@ public:
 private:
     /// The first step of two that are far from each other.
     [[nodiscard]] PairHit afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) const;
-    /// Whether circles of other sizes, and with another e, fly like those, too.
-    [[nodiscard]] bool fliesAlike() const;
-    /// Whether circle \p i, one of those that are not even, goes on as its law says.
-    [[nodiscard]] bool followsLaw(std::size_t i, double h) const;
-    /// The way of circle \p i of \p circles in a step, m.
-    [[nodiscard]] Vec2 wayOf(std::size_t i, const std::vector<Circle> &circles, double h) const;
-    /// Where circle \p i of them is one step later, if nothing is hit.
-    [[nodiscard]] Motion freely(std::size_t i, const std::vector<Circle> &circles, double h,
-                                Vec2 gravity = {}) const;
-    /// Those who fly on from \p circles, set so that one step brings both to where they should be.
-    [[nodiscard]] std::vector<Circle> aimed(const std::vector<Circle> &circles, double h) const;
     [[nodiscard]] int stepsAfter(const PairHit &model) const;
     /// Lets them meet in the midst of a run. \return false if that comes to nothing
     bool meetIn(LongRun &run, PairOccasion &meeting) const;
@@ -110,20 +102,16 @@ private:
     void comeBack(MeasuredPair &pair, double place, double tooNear) const;
     /// What becomes of \p circles, who come nearer, in a run that begins there.
     [[nodiscard]] PairHit anew(const std::vector<Circle> &circles, double restitution) const;
+    /// Whether the step of \p probe from \p before changed a velocity that free flight does not.
+    [[nodiscard]] bool isTurned(const std::vector<Circle> &before, const Probe &probe) const;
     [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
     [[nodiscard]] bool isAnsweredAnew(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);
-    /// Who goes too far in a step of h is thrown so much more gently, and comes as far as others.
-    [[nodiscard]] double slowness(double h) const
-    {
-        return isEven() ? 1.0 / m_flight.at({}, h)[0].way.x : 1.0;
-    }
-
     /// \param distance  of the centres at the start, m
     /// \param aim       when they are so far apart, they stand along the line that is asked for, m
     [[nodiscard]] Stage stageOf(const Meeting &m, double distance, double aim, double h) const;
-    static constexpr double shortStep = 1e-4; ///< s: the line of centres hardly turns in a step
+    static constexpr double shortStep = PairPaths::shortStep; ///< s
     static constexpr int fewSteps = 8;
 
     [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double aim, double h,
@@ -143,7 +131,7 @@ private:
 
     const QString *m_program;
     const Ground &m_ground;
-    const MeasuredFlight &m_flight;
+    PairPaths m_paths;
     double m_h;
     /// Where circles of these radii were answered at that angle, if not where their rims meet, m.
     mutable std::map<std::array<double, 3>, double> m_seen{};

@@ -9,7 +9,7 @@ namespace cradle {
 
 void PairRange::meetAgain(MeasuredPair &pair) const
 {
-    if (!isEven())
+    if (!m_paths.areEven())
         return;
     comeBack(pair, 3.13, 0.2);
     // From so near a wall that it is back within a few steps.
@@ -28,10 +28,10 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
     pair.ownContacts = 0;
     Preset preset = m_ground.stage();
     preset.circles[0].body.position = {place - 0.56, 0.41};
-    preset.circles[0].body.velocity = {2.3 * slowness(m_h), 0.0};
+    preset.circles[0].body.velocity = {2.3 * m_paths.slowness(m_h), 0.0};
     preset.circles[1].body.position = {place, 0.41};
     Probe probe(m_program, {preset, true});
-    PairHit hit{.slowness = slowness(m_h)};
+    PairHit hit{.slowness = m_paths.slowness(m_h)};
     bool was = false;
     std::vector<Circle> apart = probe.world().circles; // the last state in which they were
     for (int k = 1; k * m_h < 1.3; ++k) {
@@ -57,7 +57,7 @@ void PairRange::comeBack(MeasuredPair &pair, double place, double tooNear) const
 
 PairHit PairRange::anew(const std::vector<Circle> &circles, double restitution) const
 {
-    PairHit hit{.slowness = slowness(m_h)};
+    PairHit hit{.slowness = m_paths.slowness(m_h)};
     hit.stage = {m_ground.stage(), true};
     hit.stage.preset.restitution = restitution;
     for (std::size_t i = 0; i < 2; ++i)
@@ -96,23 +96,16 @@ bool PairRange::isAnsweredAnew(const PairHit &hit) const
         set.circles[i].velocity = start.circles[i].velocity;
     }
     probe.place(set);
-    if (!probe.step())
-        return false;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Vec2 free = freely(i, start.circles, m_h).velocity;
-        if (length(probe.circle(static_cast<int>(i)).velocity - free) > 1e-6)
-            return true;
-    }
-    return false;
+    return probe.step() && isTurned(start.circles, probe);
 }
 
 std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
 {
     constexpr int stepsAfterwards = 6;
-    if (!isEven())
+    if (!m_paths.areEven())
         return std::nullopt;
     const double way = meeting.closing() * m_h;
-    PairHit hit{.meeting = meeting, .slowness = slowness(m_h)};
+    PairHit hit{.meeting = meeting, .slowness = m_paths.slowness(m_h)};
     hit.stage = stageOf(meeting, meeting.sum() + 2.4 * way, meeting.sum(), m_h);
     Probe probe(m_program, hit.stage);
     int first = 0;

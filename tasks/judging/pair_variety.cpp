@@ -127,7 +127,7 @@ PairHit PairRange::parted(Meeting meeting) const
 
 PairHit PairRange::afar(Vec2 place, Vec2 velocity, Vec2 other, double radius) const
 {
-    PairHit hit{.slowness = slowness(m_h)};
+    PairHit hit{.slowness = m_paths.slowness(m_h)};
     hit.stage = {m_ground.stage(), true};
     std::vector<PresetCircle> &circles = hit.stage.preset.circles;
     circles[0].body = {place, hit.slowness * velocity, radius};

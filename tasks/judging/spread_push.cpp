@@ -49,8 +49,8 @@ std::optional<SpreadPush> PairRange::spread(const PairHit &model) const
         const std::vector<Circle> before = probe.world().circles;
         if (isNearWall(before[0]) || isNearWall(before[1]) || !probe.step())
             break;
-        const Vec2 free1 = freely(0, before, m_h).velocity;
-        const Vec2 free2 = freely(1, before, m_h).velocity;
+        const Vec2 free1 = m_paths.free(0, before, m_h).velocity;
+        const Vec2 free2 = m_paths.free(1, before, m_h).velocity;
         const Vec2 now1 = probe.circle(0).velocity;
         const Vec2 now2 = probe.circle(1).velocity;
         if (length(now1 - free1) + length(now2 - free2) < least)

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/flight_reading.h"
+
+#include "tasks/judging/flight_scenes.h"
+
+namespace cradle {
+
+using namespace flights;
+
+std::optional<Flight::Step> measureHeavierFall(const QString *program, const Ground &ground,
+                                               Vec2 gravity, double h, std::size_t i)
+{
+    Preset preset = flightPreset(ground, gravity, h, Scene::Rest);
+    // The others stay as they are: its fall may hang on their masses, too.
+    preset.circles[i].body.radius *= 1.25;
+    preset.circles[i].body.density *= 1.5;
+    return secondStep(fly(program, preset), i);
+}
+
+std::optional<Flight::Step> measureWhileOthersRest(const QString *program, const Ground &ground,
+                                                   Vec2 gravity, double h, std::size_t i)
+{
+    return secondStep(fly(program, flightPreset(ground, gravity, h, Scene::Apart, i)), i);
+}
+
+std::optional<Flight::Step> measureWithRestitution(const QString *program, const Ground &ground,
+                                                   Vec2 gravity, double h, std::size_t i,
+                                                   double restitution)
+{
+    Preset preset = flightPreset(ground, gravity, h, Scene::First);
+    preset.restitution = restitution;
+    return secondStep(fly(program, preset), i);
+}
+
+std::optional<Flight::Step> measureSlowStart(const QString *program, const Ground &ground,
+                                             double slower, double h, std::size_t i)
+{
+    Preset preset = flightPreset(ground, {}, h, Scene::First);
+    for (auto &each : preset.circles)
+        each.body.velocity = slower * each.body.velocity;
+    Probe probe(program, {preset, true});
+    const Circle &start = preset.circles[i].body;
+    if (!probe.runs() || !probe.step())
+        return std::nullopt;
+    const Circle &now = probe.circle(static_cast<int>(i));
+    return Flight::Step{start.velocity, now.position - start.position,
+                        now.velocity - start.velocity};
+}
+
+Stage flightStage(const Ground &ground, Vec2 gravity, double h, Flight::Speed speed)
+{
+    const Scene scene = speed == Flight::Speed::Fast   ? Scene::Fast
+                        : speed == Flight::Speed::Slow ? Scene::Slow
+                                                       : Scene::First;
+    return {flightPreset(ground, gravity, h, scene), true};
+}
+
+} // namespace cradle
