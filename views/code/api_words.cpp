@@ -26,7 +26,7 @@ constexpr auto valueKind = ApiWord::Kind::Value;
 constexpr auto hook = ApiWord::Kind::Hook;
 
 // clang-format off
-constexpr Row rows[] = {
+constexpr Row apiRows[] = {
     {"", "on_load()", QT_TRANSLATE_NOOP("LuaApi", "You write it: runs once, before the first step"), hook},
     {"", "on_update(timestep)", QT_TRANSLATE_NOOP("LuaApi", "You write it: moves the circles by one step of timestep seconds"), hook},
     {"", "vec(x, y)", QT_TRANSLATE_NOOP("LuaApi", "A new vector; its unit is that of its numbers")},
@@ -138,7 +138,7 @@ ApiWord wordOf(const Row &row)
 std::vector<ApiWord> apiWords()
 {
     std::vector<ApiWord> words;
-    for (const Row &row : rows)
+    for (const Row &row : apiRows)
         words.push_back(wordOf(row));
     std::vector<QByteArrayView> reserved = luaKeywords();
     reserved.insert(reserved.end(), {"true", "false", "nil"});
@@ -160,7 +160,7 @@ QStringList headingsOf(const QString &word)
     QStringList headings{word};
     if (circle.match(word).hasMatch())
         headings << QStringLiteral("circles");
-    for (const Row &row : rows) {
+    for (const Row &row : apiRows) {
         if (QString(QLatin1String(row.signature)).section(u'(', 0, 0) != name)
             continue;
         const QString owner = QLatin1String(row.owner);
