@@ -255,9 +255,9 @@ void TestChecksWalls::whoAnswerEachOtherEarlyMetNoWall()
 {
     const Circle one{.position = {-1.0, 0.0}, .velocity = {1.0, 0.0}};
     const Circle two{.position = {1.0, 0.0}, .velocity = {-1.0, 0.0}};
-    for (const int turned : {1, 2}) {
+    for (const std::size_t turned : {1u, 2u}) {
         const Observation o = observed(scene({one, two}, {}, 1.0), 1.0, [&](Circles &c, double h) {
-            for (int i = 0; i < 2; ++i) {
+            for (std::size_t i = 0; i < 2; ++i) {
                 c[i].position += h * c[i].velocity;
                 if (i < turned && std::abs(c[i].position.x) < 0.45)
                     c[i].velocity = {c[i].position.x, 0.0};

@@ -232,13 +232,12 @@ void TestLab42Scenes::everyCheckIsFailedBySomething()
                                                      && check.id == QLatin1String(wrong.check);
                                           });
             // What only code can get wrong is failed by the mistakes in code.
-            const bool needsCode = check.id == QLatin1String("settles")
-                                   || check.id == QLatin1String("parting")
-                                   || check.id == QLatin1String("moves-anywhere")
-                                   || check.id == QLatin1String("undisturbed")
-                                   || check.id == QLatin1String("goes-on")
-                                   || check.id == QLatin1String("walls-close")
-                                   || check.id == QLatin1String("slow-hits");
+            const bool needsCode =
+                check.id == QLatin1String("settles") || check.id == QLatin1String("parting")
+                || check.id == QLatin1String("moves-anywhere")
+                || check.id == QLatin1String("undisturbed") || check.id == QLatin1String("goes-on")
+                || check.id == QLatin1String("walls-close")
+                || check.id == QLatin1String("slow-hits");
             QVERIFY2(seen || needsCode, qPrintable(task.id + QLatin1Char(' ') + check.id));
         }
     }

@@ -21,11 +21,11 @@ struct RestText {
 constexpr double slidingFrom = 0.02; ///< m, of the rim above the floor
 constexpr double sliding = 0.41;     ///< m/s, along the floor
 constexpr double smallest = 1e-3;    ///< change of that in a step, of it
-constexpr double least = 0.02;       ///< and in all of them
+constexpr double leastInAll = 0.02;  ///< and in all of them
 constexpr double hangingFrom = 0.1;  ///< m
 constexpr int watched = 180;         ///< steps
 constexpr int stillSteps = 10;       ///< no bounce has so long a top
-constexpr double off = 5e-3;         ///< m: lower it rests on the floor
+constexpr double offFloor = 5e-3;    ///< m: lower it rests on the floor
 
 Vec2 downOf(const Ground &ground)
 {
@@ -63,7 +63,7 @@ Slid slide(const QString &program, const Stage &stage, int circle)
             slid.step = k;
     }
     // What makes so little of so long a time is none of the floor's doing.
-    return std::abs(slid.left - sliding) > least * sliding ? slid : Slid{};
+    return std::abs(slid.left - sliding) > leastInAll * sliding ? slid : Slid{};
 }
 
 struct Hung {
@@ -84,7 +84,7 @@ Hung hang(const QString &program, const Stage &stage, int circle)
             break;
         const Circle &now = probe.circle(circle);
         const double gap = now.position.y - now.radius + stage.preset.halfWidth;
-        if (length(now.position - before) > 1e-9 || gap < off) {
+        if (length(now.position - before) > 1e-9 || gap < offFloor) {
             still = 0;
             continue;
         }
