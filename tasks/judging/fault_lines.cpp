@@ -7,11 +7,13 @@
 #include "tasks/judging/line_at_fault.h"
 #include "tasks/judging/line_guess.h"
 #include "tasks/judging/mending.h"
+#include "tasks/judging/program_rows.h"
+#include "tasks/judging/telling_lines.h"
 #include "tasks/judging/value_origin.h"
-#include "tasks/judging/value_repairs.h"
 #include "tasks/script/work_limit.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace cradle {
 
@@ -26,6 +28,9 @@ constexpr qint64 mostWorkOfProofs = 30'000'000;
 
 /// Steps before a fault that shows at times: hundreds of programs come to it.
 constexpr qint64 mostStepsOfCondition = 600;
+
+/// Steps before a fault for which values are looked at that would be right: dozens of runs.
+constexpr qint64 mostStepsOfValues = 100;
 
 Aspect aspectOf(const LawDeviation &deviation)
 {
@@ -76,13 +81,48 @@ void FaultLines::point(Finding &finding, const LawDeviation &deviation,
     const int from = workedOut.value_or(0);
     const int proven = provenLine(deviation, ran, from ? from : finding.line, before);
     // Where a copy is at fault, the value itself in its place mends it, too.
-    const int line = proven != 0 && deviation.suspect != Suspect::Copy
-                         ? proven
-                         : likelyLine(finding, deviation, ran, workedOut);
+    const int mending = proven == 0 ? mendingLine(deviation, ran) : 0;
+    const int line = proven != 0 && deviation.suspect != Suspect::Copy ? proven
+                     : mending != 0                                    ? mending
+                                    : likelyLine(finding, deviation, ran, workedOut);
     if (line == finding.line)
         return;
     finding.line = line;
     finding.calls.clear();
+}
+
+MendingValues FaultLines::valuesOf(SoundValues &sound, const LawDeviation &deviation,
+                                   const RanLines &ran) const
+{
+    return {
+        sound.program(), m_task.solution, deviation.moment, ran, deviation.aspect, [&](int line) {
+            return soundLines(sound, {line}, deviation.aspect, deviation.suspect).contains(line);
+        }};
+}
+
+int FaultLines::mendingLine(const LawDeviation &deviation, const RanLines &ran)
+{
+    const Moment &moment = deviation.moment;
+    const bool isOfValue = deviation.suspect == Suspect::Answer
+                           || deviation.suspect == Suspect::Formula
+                           || deviation.suspect == Suspect::Masses;
+    if (!m_proves || !isOfValue || deviation.isConditional || moment.circles.empty()
+        || m_workLeft <= 0 || moment.step > mostStepsOfValues || deviation.aspect == Aspect::Contact
+        || m_task.solution.isEmpty())
+        return 0;
+    const WorkLimit limit(m_workLeft);
+    SoundValues sound(*m_submission.script, moment);
+    // What works out a mass stands before what takes it.
+    const auto isSound = [&](int line) {
+        return soundLines(sound, {line}, deviation.aspect, deviation.suspect).contains(line);
+    };
+    const bool isTold =
+        deviation.suspect == Suspect::Masses
+        && tellingLine(deviation, sound.program(), rowsOf(*m_submission.script), ran, 0, isSound)
+               != 0;
+    const int line = isTold ? 0 : valuesOf(sound, deviation, ran).line();
+    m_workLeft = WorkLimit::left();
+    return line;
 }
 
 int FaultLines::likelyLine(const Finding &finding, const LawDeviation &deviation,
@@ -90,8 +130,13 @@ int FaultLines::likelyLine(const Finding &finding, const LawDeviation &deviation
 {
     const QString &script = *m_submission.script;
     SoundValues sound(script, deviation.moment);
+    std::optional<MendingValues> values;
+    if (m_proves && !isOfQuestion(deviation.suspect) && deviation.suspect != Suspect::Masses
+        && deviation.moment.step <= mostStepsOfValues)
+        values.emplace(valuesOf(sound, deviation, ran));
     const auto isSound = [&](int line) {
-        return soundLines(sound, {line}, deviation.aspect, deviation.suspect).contains(line);
+        return soundLines(sound, {line}, deviation.aspect, deviation.suspect).contains(line)
+               || (values && values->knows(line));
     };
     const auto hit = [&] { return HitAtMoment(script, m_task.solution, deviation.moment); };
     const int line =

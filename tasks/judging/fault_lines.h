@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/judging/mending_values.h"
 #include "tasks/judging/ran_lines.h"
 #include "tasks/judging/step_deviations.h"
+#include "tasks/judging/value_repairs.h"
 
 #include <memory>
 
@@ -40,6 +42,11 @@ private:
         MeasuredLaws laws;
     };
 
+    /// All must live as long.
+    [[nodiscard]] MendingValues valuesOf(SoundValues &sound, const LawDeviation &deviation,
+                                         const RanLines &ran) const;
+    /// The line of which another value would mend it; 0 if that is not known.
+    [[nodiscard]] int mendingLine(const LawDeviation &deviation, const RanLines &ran);
     /// Without a proof.
     /// \param workedOut  where the value that the last assignment writes back was worked out
     [[nodiscard]] int likelyLine(const Finding &finding, const LawDeviation &deviation,

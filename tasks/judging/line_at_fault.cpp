@@ -142,6 +142,8 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     const std::size_t room = most - words.size();
     add(std::move(words));
     add(repairsOf(query.program, query.reference, far, room));
+    if (query.aspect == Aspect::Contact)
+        addValues(query.suspect, ValueChange::OfScene);
     if (isOfMasses)
         addValues(query.suspect, ValueChange::Replaced);
     else if (query.aspect == Aspect::Response)
@@ -194,6 +196,48 @@ std::optional<Repair> foundRepair(const FaultQuery &query)
     return proof.best();
 }
 
+/// Where the same change in lines that are alike mends what the same function returns to them: that
+/// is worked out wrong there, once. 0 if there is none, or several, or it is known to be right.
+int sharedLine(const FaultQuery &query, const Repair &repair)
+{
+    SoundValues sound(query.program, query.moment);
+    const ProgramLines &program = sound.program();
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    const auto calls = [&](int line, const QString &name) {
+        const auto &row = program.tokensOf(line);
+        return std::any_of(row.begin(), row.end(), [&](std::size_t i) {
+            return program.tokens()[i].text == name && program.is(i + 1, "(");
+        });
+    };
+    // A density is no function's of a radius.
+    const QLatin1String density("density");
+    if (repair.source.count(density) > query.program.count(density))
+        return 0;
+    int found = 0;
+    const std::vector<int> twins = program.twinsOf(repair.line);
+    for (const ProgramFunction &function : functions) {
+        if (function.name.isEmpty() || !calls(repair.line, function.name)
+            || std::none_of(twins.begin(), twins.end(),
+                            [&](int twin) { return calls(twin, function.name); }))
+            continue;
+        int returned = 0;
+        int count = 0;
+        for (int line = function.first; line <= function.last; ++line) {
+            const auto &row = program.tokensOf(line);
+            if (std::any_of(row.begin(), row.end(),
+                            [&](std::size_t i) { return program.is(i, "return"); })) {
+                returned = line;
+                ++count;
+            }
+        }
+        if (count != 1 || found != 0
+            || soundLines(sound, {returned}, query.aspect, query.suspect).contains(returned))
+            return 0;
+        found = returned;
+    }
+    return found;
+}
+
 } // namespace
 
 std::optional<Repair> repairOf(const FaultQuery &query)
@@ -202,6 +246,10 @@ std::optional<Repair> repairOf(const FaultQuery &query)
     auto repair = foundRepair(query);
     if (!repair)
         return repair;
+    if (const int line = repair->alone ? 0 : sharedLine(query, *repair)) {
+        repair->line = line;
+        return repair;
+    }
     const QRegularExpressionMatch match =
         verdict.match(repair->source.section(u'\n', repair->line - 1, repair->line - 1));
     // What is right without one of two branches is wrong in that one.

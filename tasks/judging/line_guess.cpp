@@ -16,11 +16,9 @@ namespace cradle {
 namespace {
 
 /// Who only hands a value on is not who worked it out.
-int actingLine(const QStringList &rows, int last, const std::vector<int> &calls)
+int actingLine(const ProgramLines &program, int last, const std::vector<int> &calls)
 {
-    static const QRegularExpression setter(
-        QStringLiteral("\\bfunction\\b.*\\.(velocity|position)\\s*=\\s*\\w+\\s+end\\b"));
-    return !calls.empty() && rows[last - 1].contains(setter) ? calls.back() : last;
+    return !calls.empty() && appliesGiven(program, last) ? calls.back() : last;
 }
 
 /// Those of \p lines that give both circles what \p acting gives one, and those from which these
@@ -168,7 +166,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         });
         return found;
     };
-    int acting = actingLine(rows, last, assignment.calls);
+    int acting = actingLine(lines, last, assignment.calls);
     std::vector<int> special = specialAround(acting);
     // What the other circle takes, too, and leaves as it should, is right.
     const auto isRightForOther = [&](int value) {
@@ -223,7 +221,9 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     if (deviation.aspect == Aspect::Response) {
         const bool isAdded = isAnswer || deviation.topic == Topic::Shares;
         const PushedLine push = pushLine(assignment, acting, special, lines, rows, ran, isAdded);
-        if (push.line && !(push.isAdded && isRightForOther(*push.line)))
+        const bool isRight =
+            push.line && *push.line > 0 && *push.line != acting && assignment.isSound(*push.line);
+        if (push.line && !isRight && !(push.isAdded && isRightForOther(*push.line)))
             return *push.line;
     }
     if (special.empty())
@@ -234,10 +234,15 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         return acting;
     if (deviation.topic == Topic::Restitution)
         special = withRestitution(special, rows, lines);
-    const bool isAmong = std::find(special.begin(), special.end(), acting) != special.end();
-    const int formula = isAmong ? formulaIn(leadingTo(acting, special, lines), rows, acting)
-                                : formulaIn(special, rows, 0);
-    return formula == 0 ? acting : formula;
+    // What is known to be right is no wrong formula.
+    while (true) {
+        const bool isAmong = std::find(special.begin(), special.end(), acting) != special.end();
+        const int formula = isAmong ? formulaIn(leadingTo(acting, special, lines), rows, acting)
+                                    : formulaIn(special, rows, 0);
+        if (formula == 0 || formula == acting || !assignment.isSound(formula))
+            return formula == 0 ? acting : formula;
+        std::erase(special, formula);
+    }
 }
 
 } // namespace cradle

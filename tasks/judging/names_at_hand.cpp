@@ -199,12 +199,17 @@ std::optional<std::pair<NamedCircle, NamedCircle>> NamesAtHand::pair() const
         return std::pair{m_circles[0], m_circles[1]};
     if (!m_circles.empty() || m_parameters.size() > 1)
         return std::nullopt;
+    return pairOfScene();
+}
+
+std::pair<NamedCircle, NamedCircle> NamesAtHand::pairOfScene()
+{
     const auto ofScene = [](int number) {
         const QString owner = QStringLiteral("circles[%1].").arg(number);
         return NamedCircle{owner + QLatin1String("position"), owner + QLatin1String("velocity"),
                            owner + QLatin1String("radius"), owner + QLatin1String("density")};
     };
-    return std::pair{ofScene(1), ofScene(2)};
+    return {ofScene(1), ofScene(2)};
 }
 
 } // namespace cradle

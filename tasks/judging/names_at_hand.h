@@ -28,6 +28,8 @@ public:
     /// Two circles; those of the scene where the function is given nothing and names none. Nothing
     /// where it is about one.
     [[nodiscard]] std::optional<std::pair<NamedCircle, NamedCircle>> pair() const;
+    /// As every program has them: circles[1], circles[2].
+    [[nodiscard]] static std::pair<NamedCircle, NamedCircle> pairOfScene();
     /// What radii are called, also those of no named circle.
     [[nodiscard]] QStringList radii() const;
     /// Variables that are called as normals are.

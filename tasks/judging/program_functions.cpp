@@ -70,6 +70,28 @@ std::set<int> deadLines(const ProgramLines &program)
     return dead;
 }
 
+bool appliesGiven(const ProgramLines &program, int line)
+{
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    const ProgramFunction *function = functionAt(functions, line);
+    bool isAny = false;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        if (each.line != line)
+            continue;
+        QStringList names = valuesIn(program, each.from, each.to);
+        names.removeAll(each.name); // to which it is added
+        bool isWorkedOut = false;
+        for (std::size_t i = each.from; i < each.to; ++i)
+            isWorkedOut = isWorkedOut || program.is(i, "*") || program.is(i, "/")
+                          || program.is(i, "(") || program.is(i, "-");
+        if (!function || !each.isField || isWorkedOut || names.size() != 1
+            || !function->parameters.contains(names.front()))
+            return false;
+        isAny = true;
+    }
+    return isAny;
+}
+
 bool opensBlock(const ProgramLines &program, std::size_t i)
 {
     return program.is(i, "function") || program.is(i, "if") || program.is(i, "do")

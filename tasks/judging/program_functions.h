@@ -24,6 +24,10 @@ struct ProgramFunction {
 /// The lines of functions that nothing outside of them names: they never run.
 [[nodiscard]] std::set<int> deadLines(const ProgramLines &program);
 
+/// Whether \p line only gives a field what its function is given, or adds that to it: v of
+/// `function go(v) c.velocity = v end`.
+[[nodiscard]] bool appliesGiven(const ProgramLines &program, int line);
+
 /// Whether token \p i opens a block that `end` or `until` closes.
 [[nodiscard]] bool opensBlock(const ProgramLines &program, std::size_t i);
 /// The token that closes the block which token \p i opens; how many there are if none does.

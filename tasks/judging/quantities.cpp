@@ -234,15 +234,27 @@ QStringList Quantities::soundFor(const QString &value) const
            + (isOfVectors ? m_helpers : QStringList{});
 }
 
+QStringList Quantities::sidesOfScene(const QString &value) const
+{
+    if (m_names.pair() || !m_names.circles().empty())
+        return {};
+    const auto [a, b] = NamesAtHand::pairOfScene();
+    return sidesFor(value, QStringLiteral("%1 + %2").arg(a.radius, b.radius),
+                    QStringLiteral("(%1 - %2):length()").arg(b.position, a.position));
+}
+
 QStringList Quantities::sides(const QString &value) const
+{
+    return m_sound.size() < 2 ? QStringList{} : sidesFor(value, m_sound[0], m_sound[1]);
+}
+
+QStringList Quantities::sidesFor(const QString &value, const QString &sum, const QString &length)
 {
     static const QRegularExpression reach(
         QStringLiteral("\\br(ad|adius)?_?\\d?\\b|^[\\d.]*[1-9][\\d.]*$"));
     static const QRegularExpression distance(QStringLiteral("\\babs\\b|:length"));
-    if (m_sound.size() < 2)
-        return {};
-    const QStringList whole = value.contains(distance) ? m_sound.mid(1, 1)
-                              : value.contains(reach)  ? m_sound.mid(0, 1)
+    const QStringList whole = value.contains(distance) ? QStringList{length}
+                              : value.contains(reach)  ? QStringList{sum}
                                                        : QStringList{};
     return whole.isEmpty() ? whole : whole + QStringList{QStringLiteral("(%1) ^ 2").arg(whole[0])};
 }

@@ -25,12 +25,16 @@ public:
     /// What may stand on a side of a question of contact in place of a value: the sum of the radii,
     /// the distance, and the square of either.
     [[nodiscard]] QStringList sides(const QString &value) const;
+    /// The same in a helper that names no circle, by what every program has.
+    [[nodiscard]] QStringList sidesOfScene(const QString &value) const;
     /// A value with what it may lack.
     /// \param forgottenNames  of what was worked out and is not used
     [[nodiscard]] QStringList completed(const QString &value,
                                         const QStringList &forgottenNames) const;
 
 private:
+    [[nodiscard]] static QStringList sidesFor(const QString &value, const QString &sum,
+                                              const QString &length);
     void addMotion();
     void addPair(const NamedCircle &a, const NamedCircle &b);
     void addContact(const NamedCircle &a, const NamedCircle &b);

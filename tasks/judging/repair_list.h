@@ -67,6 +67,8 @@ private:
     using Place = std::pair<qsizetype, qsizetype>;
     [[nodiscard]] QString inTwin(const QString &text, int line, int twin, Place place,
                                  qsizetype start) const;
+    /// The same in all brackets of the line that are alike.
+    void replaceInLike(int line, qsizetype from, qsizetype to, const QString &text);
     void replaceInTwins(int line, qsizetype from, qsizetype to, const QString &text);
 
     const ProgramLines &m_program;

@@ -20,7 +20,7 @@ enum class Side { Nobody, First, Second, Both };
 enum class Naming { Silent, Agrees, Disagrees };
 
 /// The likelier a repair is what was meant, the sooner it is tried.
-enum class Rank { Told, Single, Twins, Doubtful };
+enum class Rank { Told, Single, Called, Twins, Doubtful };
 
 bool isOfName(QChar c)
 {
@@ -98,15 +98,30 @@ Naming namingOf(const QString &row)
     return naming;
 }
 
+/// Whether a line only takes what a function of the program returns, and \p changed takes something
+/// else than other names: then what is returned may be changed as well.
+bool isOfCall(const QString &row, const QString &changed, const QStringList &functions)
+{
+    static const QRegularExpression call(QStringLiteral(
+        "^\\s*(?:(?:local\\s+)?[\\w.,\\s\\[\\]]+=|if|return)\\s+(?:[\\w\\[\\]]+[.:])*(\\w+)"
+        "\\([\\w.,\\s\\[\\]]*\\)(?:\\s+then)?\\s*$"));
+    static const QRegularExpression name(QStringLiteral("\\w+"));
+    const QString called = call.match(row).captured(1);
+    if (called.isEmpty() || !functions.contains(called))
+        return false;
+    return QString(row).remove(name) != QString(changed).remove(name);
+}
+
 /// Whether a line stands twice, where only one is meant for the second or none at all, and this is
 /// the other.
 bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
 {
+    constexpr int nearby = 8;
     const QString row = rows.value(line - 1);
     if (changed.isEmpty())
         return rows.value(line) == row;
     const auto stands = [&](int step) {
-        for (int at = line - 1 + step; std::abs(at - line + 1) <= 2; at += step) {
+        for (int at = line - 1 + step; std::abs(at - line + 1) <= nearby; at += step) {
             if (rows.value(at) == row)
                 return true;
         }
@@ -143,6 +158,10 @@ void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::
     static const QRegularExpression doubled(
         QStringLiteral("([-+] [\\w.]+( \\* [\\w.]+)*) ?\\1\\b"));
     const QStringList rows = source.split(QLatin1Char('\n'));
+    QStringList functions;
+    const ProgramLines program(source);
+    for (const ProgramFunction &each : functionsOf(program))
+        functions.append(each.name);
     std::vector<Naming> namings;
     std::transform(rows.begin(), rows.end(), std::back_inserter(namings), namingOf);
     const auto rankOf = [&](const Repair &repair) {
@@ -152,14 +171,20 @@ void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::
         const Naming after = row == rows[repair.line - 1] ? before : namingOf(row);
         if (before != Naming::Disagrees && after == Naming::Disagrees)
             return Rank::Doubtful;
+        if (isFirstOfTwo(rows, repair.line, row))
+            return Rank::Doubtful;
         if (triesNumbers && row.contains(number) && rows[repair.line - 1].contains(number))
             return Rank::Told;
         if (repair.told || (before == Naming::Disagrees && after != Naming::Disagrees))
             return Rank::Told;
         const bool isDropped = row.isEmpty() && rows[repair.line - 1].contains(writeBack);
         const bool isLast = isDropped || row.contains(verdict) || row.contains(doubled)
-                            || isFirstOfTwo(rows, repair.line, row) || sound.contains(repair.line);
-        return isLast ? Rank::Doubtful : repair.alone ? Rank::Single : Rank::Twins;
+                            || sound.contains(repair.line);
+        if (isLast)
+            return Rank::Doubtful;
+        return !repair.alone                                     ? Rank::Twins
+               : isOfCall(rows[repair.line - 1], row, functions) ? Rank::Called
+                                                                 : Rank::Single;
     };
     std::vector<std::pair<Rank, Repair>> ranked;
     for (Repair &repair : repairs) {

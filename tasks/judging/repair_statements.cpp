@@ -163,7 +163,9 @@ void dropLine(RepairList &repairs, int line)
     const auto &row = program.tokensOf(line);
     const bool isFunction = std::any_of(row.begin(), row.end(),
                                         [&](std::size_t i) { return program.is(i, "function"); });
-    if (isStatement(program, line) && !isFunction)
+    // Of two that are alike the second is one too many.
+    const bool isRepeated = line < program.count() && program.row(line) == program.row(line + 1);
+    if (isStatement(program, line) && !isFunction && !isRepeated)
         repairs.replace(line, program.startOf(line),
                         program.startOf(line) + program.row(line).size(), {});
 }

@@ -48,7 +48,34 @@ void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &
     if (isAbsurd(changed, from))
         return;
     add(changed, line, true);
+    replaceInLike(line, from, to, text);
     replaceInTwins(line, from, to, text);
+}
+
+void RepairList::replaceInLike(int line, qsizetype from, qsizetype to, const QString &text)
+{
+    // The innermost bracket around it that stands in the line twice: (a - b) * (a - b).
+    const QString &source = m_program.source();
+    const qsizetype start = m_program.startOf(line);
+    const qsizetype end = start + m_program.row(line).size();
+    qsizetype open = from;
+    for (int depth = 0; open >= start; --open) {
+        depth += source[open] == QLatin1Char(')') && open < from ? 1 : 0;
+        if (source[open] == QLatin1Char('(') && depth-- == 0)
+            break;
+    }
+    const qsizetype close = source.indexOf(QLatin1Char(')'), to);
+    if (open < start || close < to || close >= end)
+        return;
+    const QString group = source.mid(open, close + 1 - open);
+    const QString other = source.mid(open, from - open) + text + source.mid(to, close + 1 - to);
+    QString row = m_program.row(line);
+    if (row.count(group) < 2)
+        return;
+    row.replace(group, other);
+    QString changed = source;
+    changed.replace(start, end - start, row);
+    add(changed, line, true);
 }
 
 void RepairList::replaceTelling(int line, qsizetype from, qsizetype to, const QString &text)

@@ -144,7 +144,7 @@ QString stopping(const QString &source, qsizetype from, qsizetype to, const QStr
         "local other_quantity = {} local function is_quantity(v, ...) local any = false "
         "for k, q in ipairs({...}) do local near = type(v) == type(q) and "
         "(type(v) == 'number' and math.abs(v - q) <= 1e-9 * (1 + math.abs(q)) or "
-        "type(v) == 'vector' and (v - q):length() <= 1e-9) "
+        "type(v) == 'vector' and (v - q):length() <= 1e-9 and q:length() > 0) "
         "if not near then other_quantity[k] = true end any = any or not other_quantity[k] end "
         "if not any then error('') end return v end ");
     QString changed = source;
@@ -262,10 +262,13 @@ std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &l
                              quantities.soundFor(text)
                                  + (isDifference(text) ? parts : QStringList{})))
                 continue;
-            const QStringList others = change == ValueChange::Completed
-                                           ? quantities.completed(text, program.forgotten(line))
-                                       : value.isSide ? quantities.sides(text)
-                                                      : quantities.all();
+            const QStringList others =
+                change == ValueChange::Completed
+                    ? quantities.completed(text, program.forgotten(line))
+                : change == ValueChange::OfScene
+                    ? (value.isSide ? quantities.sidesOfScene(text) : QStringList{})
+                : value.isSide ? quantities.sides(text)
+                               : quantities.all();
             for (const QString &other : others)
                 repairs.replace(line, from, to, other);
         }

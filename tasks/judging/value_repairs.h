@@ -16,6 +16,7 @@ namespace cradle {
 /// What becomes of a value.
 enum class ValueChange {
     Completed, ///< it gets what it lacks: gravity, a density, a wall that is asked for
+    OfScene,   ///< a side of a question in a helper, by what the scene has
     Replaced,  ///< by what the aspect needs: a normal, a distance, the place where a wall turns
 };
 

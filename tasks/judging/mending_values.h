@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Cradle authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tasks/judging/program_functions.h"
+#include "tasks/judging/ran_lines.h"
+#include "tasks/judging/scene_quantities.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace cradle {
+
+/// Where another value would put right what a program does at a moment, whatever it would have to
+/// be: what a line works out that no other value of it can mend is not at fault, nor is one that is
+/// known to be right.
+class MendingValues
+{
+public:
+    /// All must live as long.
+    /// \param reference  a program that is right at \p moment
+    MendingValues(const ProgramLines &program, const QString &reference, const Moment &moment,
+                  const RanLines &ran, Aspect aspect, std::function<bool(int)> isSound);
+
+    /// The first line to run of those that only the moment needs, and of the functions that they
+    /// call, in which another value mends all that is wrong.
+    /// \return 0 if there is none
+    [[nodiscard]] int line() const;
+    /// Whether all that a line gives is known to be right.
+    [[nodiscard]] bool knows(int line) const;
+
+private:
+    using Numbers = std::vector<double>;
+
+    [[nodiscard]] std::set<int> suspects() const;
+    [[nodiscard]] std::vector<int> placeOf(int line, int depth) const;
+    [[nodiscard]] std::vector<TokenRange> valuesAt(int line) const;
+    [[nodiscard]] bool isHandingOn(int line) const;
+    [[nodiscard]] Known kindOf(int line, const TokenRange &value) const;
+    [[nodiscard]] bool isKnown(int line, const std::vector<TokenRange> &values) const;
+    [[nodiscard]] bool mends(const std::vector<TokenRange> &values) const;
+    [[nodiscard]] QString changed(const std::vector<TokenRange> &values, const Numbers &by) const;
+    /// What is wrong after the moment, where each is 0 if it is right; nothing if it stops.
+    [[nodiscard]] std::optional<Numbers> offOf(const QString &program) const;
+    [[nodiscard]] static std::optional<World> after(const QString &program, const Stage &stage,
+                                                    qint64 steps);
+    [[nodiscard]] static Stage otherThan(const Stage &stage);
+
+    const ProgramLines &m_program;
+    const Moment &m_moment;
+    const RanLines &m_ran;
+    Aspect m_aspect;
+    std::function<bool(int)> m_isSound;
+    std::vector<ProgramAssignment> m_assignments;
+    std::vector<ProgramFunction> m_functions;
+    Stage m_other;
+    std::optional<World> m_right;
+    std::optional<World> m_own;
+    std::optional<World> m_before;
+    std::optional<World> m_otherBefore;
+};
+
+} // namespace cradle
