@@ -27,6 +27,9 @@ struct ResponseLaw {
 /// The known ones, the most particular first.
 [[nodiscard]] std::vector<ResponseLaw> knownResponses();
 
+/// What changes hands.
+[[nodiscard]] std::vector<ResponseLaw> exchangeLaws();
+
 /// Those with another direction than the line of centres, or a length other than 1.
 [[nodiscard]] std::vector<ResponseLaw> directionLaws();
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judging/condition_comparison.h"
+#include "tasks/judging/wall_occasion_words.h"
 
-#include "tasks/judging/brief_beside.h"
 #include "tasks/judging/pair_words.h"
 #include "tasks/judging/wall_comparison.h"
 
@@ -236,64 +235,13 @@ private:
             isLate ? ConditionText::tr("Some hits of %who at the %walls are answered too late")
                    : words.headline;
         line.replace(QLatin1String("%walls"), wallNames(walls.size() == 1 ? walls : all, all));
-        QString seen = seenAt(*own, *right, isLate);
+        QString seen = seenAtWall(*own, *right, isLate);
         if (triedPhrase(*condition).isEmpty())
-            seen += rightBeside(series, own->hit, words.beside);
+            seen += rightAtWall(series, own->hit, words.beside);
         say(Aspect::Walls, {line, seen, words.told(series.when)}, *condition,
             series.wrongCircles([](const WallOccasion &one) { return one.hit.circle; }),
             {.stage = own->hit.stage, .step = std::max(own->hit.step, right->hit.step)},
             isReplaced);
-    }
-
-    /// With which velocity it came.
-    static Vec2 came(const WallHit &hit)
-    {
-        return hit.turned
-                   ? hit.came
-                   : hit.stage.preset.circles[static_cast<std::size_t>(hit.circle)].body.velocity;
-    }
-
-    /// What was seen of one that does not come out right.
-    /// \param isLate  it was turned, but not when it came
-    [[nodiscard]] static QString seenAt(const WallOccasion &own, const WallOccasion &right,
-                                        bool isLate)
-    {
-        const WallHit &hit = own.hit;
-        QString seen =
-            (isLate ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
-                                        "with %5 m/s and went on past it at first.")
-             : hit.turned
-                 ? ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
-                                     "with %5 m/s and left it with %6 m/s; %7 m/s is right.")
-                 : ConditionText::tr("At %1 s of its run circle %2 came to the %3 at %4 m "
-                                     "with %5 m/s and went on past it."))
-                .arg(brief(own.when.time))
-                .arg(hit.circle + 1)
-                .arg(motion::wallName(hit.wall), brief(own.when.place), brief(came(hit)));
-        if (!hit.turned || isLate)
-            return seen;
-        const Vec2 n = outwardNormal(hit.wall);
-        const Vec2 t = perpendicular(n);
-        const Vec2 good =
-            -right.hit.back * dot(hit.came, n) * n + right.hit.along * dot(hit.came, t) * t;
-        return seen.arg(briefBeside(hit.left, good), briefBeside(good, hit.left));
-    }
-
-    /// One that comes out right, at the same wall if there is one, to be looked at beside \p wrong.
-    [[nodiscard]] static QString rightBeside(const Series<WallOccasion> &series,
-                                             const WallHit &wrong, const QString &text)
-    {
-        const WallOccasion *beside = nullptr;
-        for (std::size_t i = 0; i < series.all.size(); ++i) {
-            const WallOccasion &one = *series.all[i].own;
-            if (series.when[i].isRight
-                && (!beside || (one.hit.wall == wrong.wall && beside->hit.wall != wrong.wall)))
-                beside = &one;
-        }
-        return QLatin1Char(' ')
-               + text.arg(beside->hit.circle + 1)
-                     .arg(brief(beside->when.time), motion::wallName(beside->hit.wall),
-                          brief(beside->when.place), brief(came(beside->hit)));
     }
 
     std::vector<WallOccasion> m_first{}; ///< in short runs

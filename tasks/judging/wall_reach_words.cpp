@@ -1,24 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tasks/judging/wall_comparison.h"
-#include "tasks/judging/wall_lengths.h"
+#include "tasks/judging/wall_reach.h"
 
 #include "tasks/checks/figures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace cradle {
 
 namespace {
 
-class ReachJudge : WallComparison
+class ReachJudge : WallReach
 {
 public:
     explicit ReachJudge(const WallComparison &walls)
-        : WallComparison(walls)
+        : WallReach(walls)
     {
     }
 
@@ -78,100 +76,6 @@ public:
     }
 
 private:
-    /// Whether a wall answers a circle elsewhere than at its rim. One that is put far off and keeps
-    /// its velocity has not been turned.
-    [[nodiscard]] static bool isElsewhere(const WallHit &hit)
-    {
-        return (hit.turned || (hit.held && !hit.isLeap())) && !hit.isLost && !hit.fits(hit.radius);
-    }
-
-    /// In place of \p hit, one that shows where the wall turns circles: who is turned before it
-    /// has flown a step does not.
-    [[nodiscard]] const WallHit &tellingOf(const WallHit &hit) const
-    {
-        const auto at = std::find_if(m_own.middle.begin(), m_own.middle.end(), [&](const auto &h) {
-            return h.circle == hit.circle && h.wall == hit.wall;
-        });
-        const bool isTelling = hit.step == 1 && at != m_own.middle.end() && at->turned
-                               && at->step > 1 && isMirrored(*at) && !looksAhead(hit.circle);
-        return isTelling ? *at : hit;
-    }
-
-    [[nodiscard]] bool looksAhead(int circle) const
-    {
-        return std::any_of(m_own.hits.begin(), m_own.hits.end(),
-                           [&](const auto &h) {
-                               return h.circle == circle && h.step == 1 && isElsewhere(h);
-                           })
-               && aheadWords(circle);
-    }
-
-    /// How many hits of these circles do not come where their rims are.
-    [[nodiscard]] int shownBy(const std::vector<int> &circles) const
-    {
-        return static_cast<int>(
-            std::count_if(m_own.hits.begin(), m_own.hits.end(), [&](const WallHit &hit) {
-                return std::find(circles.begin(), circles.end(), hit.circle) != circles.end()
-                       && isElsewhere(hit);
-            }));
-    }
-
-    /// The walls at which a circle turns elsewhere than at its rim.
-    [[nodiscard]] std::set<Wall> wrongWalls(int circle) const
-    {
-        std::set<Wall> walls;
-        for (const WallHit &hit : m_own.hits) {
-            if (hit.circle == circle && isElsewhere(hit))
-                walls.insert(hit.wall);
-        }
-        return walls;
-    }
-
-    /// The walls at which a circle turns elsewhere: together where one length is known by which it
-    /// does at all of them, or none of any; else wall by wall.
-    [[nodiscard]] std::vector<std::set<Wall>> wallsOfOneLength(int circle) const
-    {
-        const std::set<Wall> all = wrongWalls(circle);
-        if (all.empty())
-            return {};
-        const auto isKnown = [&](const std::set<Wall> &walls) {
-            return fittingLengths(circle, walls).size() == 1;
-        };
-        if (all.size() == 1 || !fittingLengths(circle, all).empty() || numberWords(circle, all)
-            || std::none_of(all.begin(), all.end(),
-                            [&](Wall wall) { return isKnown(std::set<Wall>{wall}); }))
-            return {all};
-        std::vector<std::set<Wall>> each;
-        each.reserve(all.size());
-        for (const Wall wall : all)
-            each.push_back({wall});
-        return each;
-    }
-
-    [[nodiscard]] std::vector<WallLength> fittingLengths(int circle,
-                                                         const std::set<Wall> &walls) const
-    {
-        std::vector<WallLength> fitting = wallLengths();
-        std::erase_if(fitting,
-                      [&](const WallLength &reach) { return !fitsAll(reach, circle, walls); });
-        return fitting;
-    }
-
-    /// Whether a circle turns there at these walls.
-    [[nodiscard]] bool fitsAll(const WallLength &reach, int circle,
-                               const std::set<Wall> &walls) const
-    {
-        const auto fits = [&](const WallHit &hit) {
-            if (hit.circle != circle || !hit.isAnswered() || !walls.contains(hit.wall))
-                return true;
-            // Who is held at the rim has not come to where it would be turned.
-            const double distance = reach.distance(hit);
-            return hit.held && hit.fits(hit.radius) ? distance < hit.reached : hit.fits(distance);
-        };
-        return std::all_of(m_own.hits.begin(), m_own.hits.end(), fits)
-               && std::all_of(m_own.alike.begin(), m_own.alike.end(), fits);
-    }
-
     /// That it is turned before it has flown a step.
     [[nodiscard]] static std::pair<QString, QString> atOnce(const WallHit &hit)
     {
@@ -213,26 +117,15 @@ private:
     [[nodiscard]] std::optional<std::pair<QString, QString>>
     numberWords(int circle, const std::set<Wall> &walls) const
     {
-        std::set<double> radii;
-        double nearest = 0.0;
-        double farthest = std::numeric_limits<double>::infinity();
-        for (const auto *hits : {&m_own.hits, &m_own.alike}) {
-            for (const WallHit &hit : *hits) {
-                if (hit.circle != circle || !walls.contains(hit.wall) || !hit.isAnswered())
-                    continue;
-                radii.insert(hit.radius);
-                nearest = std::max(nearest, hit.reached);
-                farthest = std::min(farthest, hit.before + hit.travel);
-            }
-        }
-        if (radii.size() < 2 || nearest > farthest)
+        const auto place = oneDistance(circle, walls);
+        if (!place)
             return std::nullopt;
         return std::pair(
             WallText::tr("At the %walls a number stands for the radius of %who"),
             WallText::tr("Circle %1 turned when its centre was between %2 and %3 m from the wall, "
                          "with the radius %4 m as with %5 m. Take the radius that the circle has.")
-                .arg(QString::number(circle + 1), brief(nearest), brief(farthest),
-                     brief(*radii.begin()), brief(*radii.rbegin())));
+                .arg(QString::number(circle + 1), brief(place->nearest), brief(place->farthest),
+                     brief(*place->radii.begin()), brief(*place->radii.rbegin())));
     }
 
     /// That no place would do for all hits at a wall.
@@ -260,17 +153,8 @@ private:
     /// That a circle turns where its velocity, without the timestep, takes its rim to the wall.
     [[nodiscard]] std::optional<std::pair<QString, QString>> aheadWords(int circle) const
     {
-        std::vector<const WallHit *> far;
-        for (const WallHit &hit : m_own.far) {
-            const Vec2 v = hit.stage.preset.circles[static_cast<std::size_t>(circle)].body.velocity;
-            const double second = dot(v, outwardNormal(hit.wall)) * 1.0; // m in 1 s
-            if (hit.circle != circle)
-                continue;
-            if (!hit.turned || hit.step == 1 || !hit.fits(hit.radius + second))
-                return std::nullopt;
-            far.push_back(&hit);
-        }
-        if (far.size() < 2)
+        const std::vector<const WallHit *> far = secondsAhead(circle);
+        if (far.empty())
             return std::nullopt;
         const auto rim = [](double place, const WallHit &hit) { return brief(place - hit.radius); };
         const auto speed = [](const WallHit &hit) {
@@ -284,15 +168,6 @@ private:
                 .arg(QString::number(circle + 1), motion::wallName(far[0]->wall), speed(*far[0]),
                      rim(far[0]->reached, *far[0]), rim(far[0]->before, *far[0]), speed(*far[1]),
                      rim(far[1]->reached, *far[1]), rim(far[1]->before, *far[1])));
-    }
-
-    /// Whether a hit turned the part into the wall round and left the other as large as it was.
-    [[nodiscard]] static bool isMirrored(const WallHit &hit)
-    {
-        const Vec2 n = outwardNormal(hit.wall);
-        const double along = dot(hit.came, perpendicular(n));
-        return dot(hit.came, n) > 0.0 && dot(hit.left, n) < 0.0
-               && std::abs(std::abs(dot(hit.left, perpendicular(n))) - std::abs(along)) < 1e-6;
     }
 
     [[nodiscard]] QString lateOrEarly(int circle, const std::set<Wall> &walls) const
