@@ -13,7 +13,7 @@ namespace cradle {
 
 namespace {
 
-constexpr QLatin1String restitution("restitution");
+constexpr QLatin1String eWord("restitution");
 
 struct Edit {
     qsizetype from;
@@ -41,7 +41,7 @@ void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &
 {
     const QString &source = m_program.source();
     if (m_repairs.size() >= m_most || source.mid(from, to - from) == text
-        || (!m_rebounds && text.contains(restitution)))
+        || (!m_rebounds && text.contains(eWord)))
         return;
     QString changed = source;
     changed.replace(from, to - from, text);
@@ -142,8 +142,7 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
                               const std::vector<int> &lines, std::size_t most)
 {
     const ProgramLines program(source);
-    RepairList repairs(program, source.contains(restitution) || reference.contains(restitution),
-                       most);
+    RepairList repairs(program, source.contains(eWord) || reference.contains(eWord), most);
     for (const int line : lines)
         repairMirror(repairs, line);
     for (const int line : lines) {
