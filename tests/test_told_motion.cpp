@@ -25,6 +25,9 @@ private slots:
     void aRightFirstStepIsNotBlamed();
     void aFirstStepOfItsOwnIsTold();
     void stepsThatAlternateAreTold();
+    void stepsThatAreUnlikeAreTold_data();
+    void stepsThatAreUnlikeAreTold();
+    void stepsThatGrowWithTheirNumberAreTold();
 };
 
 void TestToldMotion::wayOfAStepIsTold_data()
@@ -193,6 +196,76 @@ void TestToldMotion::stepsThatAlternateAreTold()
     const QString late = body("L42T4", way, fall + QStringLiteral(" * (time > 1 and 2 or 1)"),
                               "The step of both circles depends on how long the run has lasted");
     QVERIFY(!late.isEmpty());
+}
+
+void TestToldMotion::stepsThatAreUnlikeAreTold_data()
+{
+    QTest::addColumn<QString>("asked");
+    QTest::addColumn<QList<double>>("falls"); // in the first four steps, of g Δt
+    QTest::newRow("every second") << "n % 2 == 0" << QList<double>{0, 1, 0, 1};
+    QTest::newRow("every third") << "n % 3 == 0" << QList<double>{0, 0, 1, 0};
+    QTest::newRow("all but every third") << "n % 3 ~= 0" << QList<double>{1, 1, 0, 1};
+    QTest::newRow("from the third on") << "n > 2" << QList<double>{0, 0, 1, 1};
+}
+
+/// The second step tells the law of none but itself: neither is the first one odd, nor is there no
+/// gravity.
+void TestToldMotion::stepsThatAreUnlikeAreTold()
+{
+    QFETCH(QString, asked);
+    QFETCH(QList<double>, falls);
+    const QString program =
+        QStringLiteral("local n = 0 ")
+        + written({.circles = 1,
+                   .move = QStringLiteral("n = n + 1 c.position = c.position + c.velocity * h "
+                                          "if %1 then c.velocity = c.velocity + gravity * h end")
+                               .arg(asked)},
+                  structures[0]);
+    const auto n = numbersIn(
+        bodyOfProgram("L42T3", program, "Not every step of circle 1 is made alike"),
+        "Started with (#, #) m/s, in the first four steps of 1/# s its velocity changes by (#, #), "
+        "(#, #), (#, #) and (#, #) m/s; (#, #) m/s is right in each.");
+    QCOMPARE(n.size(), std::size_t{13});
+    QVERIFY(isNear(n[12], -9.81 / n[2]));
+    for (std::size_t k = 0; k < 4; ++k)
+        QVERIFY(n[3 + 2 * k] == 0.0 && isNear(n[4 + 2 * k], falls[qsizetype(k)] * n[12]));
+}
+
+/// The whole time since the start takes the place of that of one step.
+void TestToldMotion::stepsThatGrowWithTheirNumberAreTold()
+{
+    const QString grown = QStringLiteral("From step to step that grows by the same");
+    const QString far =
+        bodyOfProgram("L42T2",
+                      QStringLiteral("local t = 0 ")
+                          + written({.circles = 1,
+                                     .move = QStringLiteral("t = t + h "
+                                                            "c.position = c.position + "
+                                                            "c.velocity * t")},
+                                    structures[0]),
+                      "Not every step of circle 1 is made alike");
+    const auto ways = numbersIn(far, "in the first four steps of 1/# s it goes (#, #), (#, #), (#, "
+                                     "#) and (#, #) m; (#, #) m is right in each.");
+    QVERIFY2(ways.size() == 11 && far.contains(grown), qPrintable(far));
+    for (std::size_t k = 0; k < 4; ++k)
+        QVERIFY(isNear(ways[1 + 2 * k], double(k + 1) * ways[9]));
+    // The parabola from the start without its half: the k-th step has k g Δt², and ½ is right.
+    const QString deep =
+        bodyOfProgram("L42X6",
+                      QStringLiteral("local t, at, with = {0, 0}, {}, {} ")
+                          + written({.move = QStringLiteral(
+                                         "local i = c.index t[i] = t[i] + h "
+                                         "at[i] = at[i] or c.position with[i] = with[i] or "
+                                         "c.velocity c.position = at[i] + with[i] * t[i] + gravity "
+                                         "* (t[i] * t[i]) c.velocity = with[i] + gravity * t[i]")},
+                                    structures[0]),
+                      "Not every step of circle 2 is made alike");
+    const auto more =
+        numbersIn(deep, "in the first four steps of 1/# s it goes (#, #), (#, #), (#, "
+                        "#) and (#, #) m more than is right");
+    QVERIFY2(more.size() == 9 && deep.contains(grown), qPrintable(deep));
+    for (std::size_t k = 0; k < 4; ++k)
+        QVERIFY(isNear(more[2 + 2 * k], -(double(k) + 0.5) * 9.81 / (more[0] * more[0])));
 }
 
 /// What is kept of the step before is not there yet in the first.

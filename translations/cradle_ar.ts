@@ -5621,10 +5621,6 @@ In a step that would have brought their centres to %2 m from each other, where r
         <translation>بعد التصادمات عند %walls لا تتبع حركة %who السرعة</translation>
     </message>
     <message>
-        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
-        <translation>بعد ارتدادها عند ⁨%1⁩ سرعة الدائرة ⁨%2⁩ هي ⁦%3 m/s⁩؛ وفي الخطوة التالية من ⁦%4 s⁩ تحركت ⁦%5 m⁩، وبحسب هذه السرعة تكون ⁦%6 m⁩. والسرعة أو الموضع القديم الذي يحتفظ به برنامجك في متغير خاص به يجب أن يتغير هو أيضًا عند التصادم.</translation>
-    </message>
-    <message>
         <source>Another circle that is near changes the velocity of %who</source>
         <translation>دائرة أخرى قريبة تغيّر سرعة %who</translation>
     </message>
@@ -5745,6 +5741,46 @@ In a step that would have brought their centres to %2 m from each other, where r
     <message>
         <source>From every speed and with every e tried it leaves with about %1 m/s more than it came with.</source>
         <translation>من كل سرعة ومع كل e جُرّب تغادر بأكثر مما جاءت به بنحو ⁦%1 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>The distance of circles that come nearer is less than in the step before: look at what your program compares with what it keeps from there.</source>
+        <translation>المسافة بين دائرتين تقتربان أصغر مما كانت في الخطوة السابقة: انظر ما الذي يقارنه برنامجك بما يحتفظ به منها.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s it goes %3, %4, %5 and %6 m more than is right of the velocity before each.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ تحركت في الخطوات الأربع الأولى، ومدة كل منها ⁦%2 s⁩، زيادةً على الصحيح بحسب السرعة قبل كل منها بمقدار ⁦%3⁩ و⁦%4⁩ و⁦%5⁩ و⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s its velocity changes by %3, %4, %5 and %6 m/s more than is right.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ تغيرت سرعتها في الخطوات الأربع الأولى، ومدة كل منها ⁦%2 s⁩، زيادةً على الصحيح بمقدار ⁦%3⁩ و⁦%4⁩ و⁦%5⁩ و⁦%6 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s it goes %3, %4, %5 and %6 m; %7 m is right in each.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ تحركت في الخطوات الأربع الأولى، ومدة كل منها ⁦%2 s⁩، بمقدار ⁦%3⁩ و⁦%4⁩ و⁦%5⁩ و⁦%6 m⁩؛ والصحيح في كل منها ⁦%7 m⁩.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s its velocity changes by %3, %4, %5 and %6 m/s; %7 m/s is right in each.</source>
+        <translation>إذا انطلقت بسرعة ⁦%1 m/s⁩ تغيرت سرعتها في الخطوات الأربع الأولى، ومدة كل منها ⁦%2 s⁩، بمقدار ⁦%3⁩ و⁦%4⁩ و⁦%5⁩ و⁦%6 m/s⁩؛ والصحيح في كل منها ⁦%7 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>From step to step that grows by the same: look at what your program adds up, or counts, since the start.</source>
+        <translation>من خطوة إلى التالية يزداد ذلك بالمقدار نفسه: انظر ما الذي يجمعه برنامجك أو يعدّه منذ البداية.</translation>
+    </message>
+    <message>
+        <source>Look at what your program counts, or keeps from one step to the next, and at what is asked before these lines.</source>
+        <translation>انظر ما الذي يعدّه برنامجك أو يحتفظ به من خطوة إلى التالية، وما الذي يُسأل عنه قبل هذه الأسطر.</translation>
+    </message>
+    <message>
+        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m.</source>
+        <translation>بعد ارتدادها عند ⁨%1⁩ سرعة الدائرة ⁨%2⁩ هي ⁦%3 m/s⁩؛ وفي الخطوة التالية من ⁦%4 s⁩ تحركت ⁦%5 m⁩، وبحسب هذه السرعة تكون ⁦%6 m⁩.</translation>
+    </message>
+    <message>
+        <source>So it goes in a run that begins there, too: look at what your program does with a circle that is at a wall and moves away from it.</source>
+        <translation>وهكذا تتحرك أيضًا في تشغيل يبدأ من هناك: انظر ما الذي يفعله برنامجك بدائرة عند جدار وهي تبتعد عنه.</translation>
+    </message>
+    <message>
+        <source>A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
+        <translation>والسرعة أو الموضع القديم الذي يحتفظ به برنامجك في متغير خاص به يجب أن يتغير هو أيضًا عند التصادم.</translation>
     </message>
 </context>
 <context>

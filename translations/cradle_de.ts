@@ -5545,10 +5545,6 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <translation>Nach Stößen an %walls folgt die Bewegung von %who nicht der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
-        <translation>An %1 umgekehrt hat Kreis %2 %3 m/s; im nächsten Schritt von %4 s ging er um %5 m weiter, und nach dieser Geschwindigkeit sind es %6 m. Auch eine Geschwindigkeit oder ein alter Ort, die dein Programm in einer eigenen Variablen behält, müssen sich bei einem Stoß ändern.</translation>
-    </message>
-    <message>
         <source>Another circle that is near changes the velocity of %who</source>
         <translation>Ein anderer Kreis in der Nähe ändert die Geschwindigkeit von %who</translation>
     </message>
@@ -5661,6 +5657,46 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
     <message>
         <source>From every speed and with every e tried it leaves with about %1 m/s more than it came with.</source>
         <translation>Nach jeder versuchten Geschwindigkeit und mit jedem versuchten e geht er mit etwa %1 m/s mehr, als er kam.</translation>
+    </message>
+    <message>
+        <source>The distance of circles that come nearer is less than in the step before: look at what your program compares with what it keeps from there.</source>
+        <translation>Der Abstand von Kreisen, die sich nähern, ist kleiner als im Schritt davor: Sieh nach, was dein Programm mit dem vergleicht, was es von dort behält.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s it goes %3, %4, %5 and %6 m more than is right of the velocity before each.</source>
+        <translation>Mit %1 m/s gestartet, geht er in den ersten vier Schritten von %2 s um %3, %4, %5 und %6 m weiter, als nach der Geschwindigkeit vor jedem richtig ist.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s its velocity changes by %3, %4, %5 and %6 m/s more than is right.</source>
+        <translation>Mit %1 m/s gestartet, ändert sich seine Geschwindigkeit in den ersten vier Schritten von %2 s um %3, %4, %5 und %6 m/s mehr, als richtig ist.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s it goes %3, %4, %5 and %6 m; %7 m is right in each.</source>
+        <translation>Mit %1 m/s gestartet, geht er in den ersten vier Schritten von %2 s um %3, %4, %5 und %6 m weiter; richtig ist in jedem %7 m.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s its velocity changes by %3, %4, %5 and %6 m/s; %7 m/s is right in each.</source>
+        <translation>Mit %1 m/s gestartet, ändert sich seine Geschwindigkeit in den ersten vier Schritten von %2 s um %3, %4, %5 und %6 m/s; richtig ist in jedem %7 m/s.</translation>
+    </message>
+    <message>
+        <source>From step to step that grows by the same: look at what your program adds up, or counts, since the start.</source>
+        <translation>Von Schritt zu Schritt wächst das um gleich viel: Sieh nach, was dein Programm seit dem Start aufsummiert oder zählt.</translation>
+    </message>
+    <message>
+        <source>Look at what your program counts, or keeps from one step to the next, and at what is asked before these lines.</source>
+        <translation>Sieh nach, was dein Programm zählt oder von einem Schritt zum nächsten behält, und was vor diesen Zeilen gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m.</source>
+        <translation>An %1 umgekehrt hat Kreis %2 %3 m/s; im nächsten Schritt von %4 s ging er um %5 m weiter, und nach dieser Geschwindigkeit sind es %6 m.</translation>
+    </message>
+    <message>
+        <source>So it goes in a run that begins there, too: look at what your program does with a circle that is at a wall and moves away from it.</source>
+        <translation>So geht er auch in einem Lauf, der dort beginnt: Sieh nach, was dein Programm mit einem Kreis macht, der an einer Wand ist und sich von ihr entfernt.</translation>
+    </message>
+    <message>
+        <source>A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
+        <translation>Auch eine Geschwindigkeit oder ein alter Ort, die dein Programm in einer eigenen Variablen behält, müssen sich bei einem Stoß ändern.</translation>
     </message>
 </context>
 <context>

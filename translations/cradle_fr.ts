@@ -5545,10 +5545,6 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <translation>Après les chocs contre %walls, le mouvement de %who ne suit pas sa vitesse</translation>
     </message>
     <message>
-        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m. A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
-        <translation>Renvoyé par %1, le cercle %2 a %3 m/s&#xa0;; au pas suivant de %4 s il a avancé de %5 m, et selon cette vitesse c&apos;est %6 m. Une vitesse ou une ancienne position que votre programme garde dans une variable à lui doit changer au choc, elle aussi.</translation>
-    </message>
-    <message>
         <source>Another circle that is near changes the velocity of %who</source>
         <translation>Un autre cercle, proche, change la vitesse de %who</translation>
     </message>
@@ -5661,6 +5657,46 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
     <message>
         <source>From every speed and with every e tried it leaves with about %1 m/s more than it came with.</source>
         <translation>Quelle que soit la vitesse et quel que soit e parmi ceux essayés, il repart avec environ %1 m/s de plus qu&apos;à l&apos;arrivée.</translation>
+    </message>
+    <message>
+        <source>The distance of circles that come nearer is less than in the step before: look at what your program compares with what it keeps from there.</source>
+        <translation>La distance de cercles qui se rapprochent est plus petite qu&apos;au pas précédent&#xa0;: regardez ce que votre programme compare à ce qu&apos;il en garde.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s it goes %3, %4, %5 and %6 m more than is right of the velocity before each.</source>
+        <translation>Lancé à %1 m/s, il avance dans les quatre premiers pas de %2 s de %3, %4, %5 et %6 m de plus que ce qui est juste selon la vitesse avant chacun.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s its velocity changes by %3, %4, %5 and %6 m/s more than is right.</source>
+        <translation>Lancé à %1 m/s, sa vitesse change dans les quatre premiers pas de %2 s de %3, %4, %5 et %6 m/s de plus que ce qui est juste.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s it goes %3, %4, %5 and %6 m; %7 m is right in each.</source>
+        <translation>Lancé à %1 m/s, il avance dans les quatre premiers pas de %2 s de %3, %4, %5 et %6 m&#xa0;; dans chacun, %7 m est juste.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, in the first four steps of %2 s its velocity changes by %3, %4, %5 and %6 m/s; %7 m/s is right in each.</source>
+        <translation>Lancé à %1 m/s, sa vitesse change dans les quatre premiers pas de %2 s de %3, %4, %5 et %6 m/s&#xa0;; dans chacun, %7 m/s est juste.</translation>
+    </message>
+    <message>
+        <source>From step to step that grows by the same: look at what your program adds up, or counts, since the start.</source>
+        <translation>D&apos;un pas au suivant, cela grandit d&apos;autant&#xa0;: regardez ce que votre programme additionne, ou compte, depuis le départ.</translation>
+    </message>
+    <message>
+        <source>Look at what your program counts, or keeps from one step to the next, and at what is asked before these lines.</source>
+        <translation>Regardez ce que votre programme compte, ou garde d&apos;un pas au suivant, et ce qui est demandé avant ces lignes.</translation>
+    </message>
+    <message>
+        <source>Turned round at the %1, circle %2 has %3 m/s; in the next step of %4 s it went %5 m, and by that velocity it is %6 m.</source>
+        <translation>Renvoyé par %1, le cercle %2 a %3 m/s&#xa0;; au pas suivant de %4 s il a avancé de %5 m, et selon cette vitesse c&apos;est %6 m.</translation>
+    </message>
+    <message>
+        <source>So it goes in a run that begins there, too: look at what your program does with a circle that is at a wall and moves away from it.</source>
+        <translation>Il en va de même dans une exécution qui commence là&#xa0;: regardez ce que votre programme fait d&apos;un cercle qui est contre un mur et s&apos;en éloigne.</translation>
+    </message>
+    <message>
+        <source>A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
+        <translation>Une vitesse ou une ancienne position que votre programme garde dans une variable à lui doit changer au choc, elle aussi.</translation>
     </message>
 </context>
 <context>

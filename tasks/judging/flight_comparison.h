@@ -27,6 +27,7 @@ struct FlightSaid {
     Suspect suspect = Suspect::Answer;
     bool hidesHits = false;  ///< hits are not seen through it
     bool hidesWalls = false; ///< what is shot at walls is not seen through it
+    bool isOfOne = false;    ///< its numbers are of that circle alone, though others fly like it
     bool isOfWall = false;   ///< a wall does it, see strayWallSaid()
 };
 
@@ -151,7 +152,10 @@ protected:
 /// Whether a step is made with another timestep, or not at all.
 [[nodiscard]] std::optional<FlightSaid> stepSaid(const FlightComparison &comparison);
 
-/// That the first step of a run is not made as the next ones are, which are right.
+/// That the steps of a run, from the second on, are not made alike; the second tells their law
+/// only if the others follow it.
+[[nodiscard]] std::optional<FlightSaid> unlikeStepsSaid(const FlightComparison &comparison);
+/// That the first step of a run is not made as the next ones are, which are alike.
 [[nodiscard]] std::optional<FlightSaid> firstStepSaid(const FlightComparison &comparison);
 /// That a wall turns it round far from where that is, which nothing of the flights explains.
 [[nodiscard]] std::optional<FlightSaid> strayWallSaid(const FlightComparison &comparison);

@@ -24,10 +24,13 @@ public:
     [[nodiscard]] std::vector<FlightSaid> judge() const
     {
         std::vector<FlightSaid> said = judgeByItself();
+        const auto unlike = unlikeStepsSaid(*this);
+        if (unlike)
+            said = {*unlike};
         // What is shot at walls starts anew, and the steps that it makes there may be the odd ones.
-        const bool hidesWalls = !said.empty() && firstStepSaid(*this).has_value();
+        const bool hidesWalls = !unlike && !said.empty() && firstStepSaid(*this).has_value();
         for (FlightSaid &each : said)
-            each.hidesWalls = hidesWalls;
+            each.hidesWalls |= hidesWalls;
         if (hidesWalls && said.front().suspect != Suspect::Kept)
             said.front().body +=
                 QLatin1Char(' ')

@@ -107,6 +107,16 @@ struct Flight {
                                                            const Ground &ground, double slower,
                                                            double h, std::size_t i);
 
+/// Which of the first steps of a run are looked at: as they come, or each from the start again, so
+/// that only what a program keeps makes them differ.
+enum class FirstSteps { Going, Repeated };
+/// The first \p count steps of a circle \p i that starts as in the first of those flights, as many
+/// as the program makes away from all walls.
+[[nodiscard]] std::vector<Flight::Step> measureFirstSteps(const QString *program,
+                                                          const Ground &ground, Vec2 gravity,
+                                                          double h, std::size_t i, FirstSteps which,
+                                                          int count);
+
 /// One scene of such a flight, to be shown: all circles move.
 /// \param speed  of the circles
 [[nodiscard]] Stage flightStage(const Ground &ground, Vec2 gravity, double h,

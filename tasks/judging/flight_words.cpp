@@ -69,7 +69,8 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
             const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
                 return group.first.headline == said.headline
                        && (group.first.body == said.body
-                           || isOneLaw(flightOf(group.second.front()), flight, said.isMethod));
+                           || (!said.isOfOne
+                               && isOneLaw(flightOf(group.second.front()), flight, said.isMethod)));
             });
             if (same == groups.end())
                 groups.push_back({said, {circle}});

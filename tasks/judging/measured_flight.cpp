@@ -113,6 +113,28 @@ std::optional<Flight::Step> MeasuredFlight::slowStart(double slower, double h, i
     return measureSlowStart(m_program, m_ground, slower, h, static_cast<std::size_t>(i));
 }
 
+bool MeasuredFlight::beginsLike(const MeasuredFlight &other) const
+{
+    constexpr int steps = 6;
+    if (m_ground.gravities.empty() || m_ground.timesteps.empty())
+        return true;
+    const double h = m_ground.timesteps.front();
+    for (std::size_t i = 0; i < m_ground.flights.size(); ++i) {
+        const auto of = [&](const MeasuredFlight &flight) {
+            return flight.firstSteps(m_ground.gravities.front(), h, static_cast<int>(i),
+                                     FirstSteps::Going, steps);
+        };
+        const std::vector<Flight::Step> ours = of(*this);
+        const std::vector<Flight::Step> theirs = of(other);
+        if (!std::equal(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
+                        [&](const Flight::Step &a, const Flight::Step &b) {
+                            return isAlike(a.turn, b.turn) && isAlike(a.way / h, b.way / h);
+                        }))
+            return false;
+    }
+    return true;
+}
+
 bool MeasuredFlight::isLike(const MeasuredFlight &other) const
 {
     for (const Vec2 gravity : m_ground.gravities) {
@@ -141,7 +163,7 @@ bool MeasuredFlight::isLike(const MeasuredFlight &other) const
         if (!isAlike(m_own.accelerations[i], other.m_own.accelerations[i]))
             return false;
     }
-    return true;
+    return beginsLike(other);
 }
 
 } // namespace cradle

@@ -77,6 +77,15 @@ public:
     /// first flight of at(), and its velocity at the start; nothing where the program stops.
     [[nodiscard]] std::optional<Flight::Step> slowStart(double slower, double h, int i) const;
 
+    /// The first \p count steps of a circle \p i that starts as in the first flight of at(); fewer
+    /// where the program stops or it comes to a wall.
+    [[nodiscard]] std::vector<Flight::Step> firstSteps(Vec2 gravity, double h, int i,
+                                                       FirstSteps which, int count) const
+    {
+        return measureFirstSteps(m_program, m_ground, gravity, h, static_cast<std::size_t>(i),
+                                 which, count);
+    }
+
     /// See measureStrayWall().
     [[nodiscard]] std::optional<StrayWall> strayWall(Vec2 gravity, double h, int i,
                                                      const Flight &right) const
@@ -88,6 +97,8 @@ public:
     [[nodiscard]] bool isLike(const MeasuredFlight &other) const;
 
 private:
+    /// Whether the first steps of a run are made alike, which the second alone does not tell.
+    [[nodiscard]] bool beginsLike(const MeasuredFlight &other) const;
     /// The own scene, in which \p set has changed every circle at hand of a place apart from all
     /// others, m; nothing where the program does not run.
     [[nodiscard]] std::unique_ptr<Probe>

@@ -4,6 +4,9 @@
 
 #include "tasks/judging/flight_scenes.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cradle {
 
 using namespace flights;
@@ -46,6 +49,36 @@ std::optional<Flight::Step> measureSlowStart(const QString *program, const Groun
     const Circle &now = probe.circle(static_cast<int>(i));
     return Flight::Step{start.velocity, now.position - start.position,
                         now.velocity - start.velocity};
+}
+
+std::vector<Flight::Step> measureFirstSteps(const QString *program, const Ground &ground,
+                                            Vec2 gravity, double h, std::size_t i, FirstSteps which,
+                                            int count)
+{
+    const Preset preset = flightPreset(ground, gravity, h, Scene::First);
+    Probe probe(program, {preset, true});
+    const auto isFree = [&](const Circle &c) {
+        return std::max(std::abs(c.position.x), std::abs(c.position.y))
+               < preset.halfWidth - 2.0 * c.radius;
+    };
+    std::vector<Flight::Step> steps;
+    while (probe.runs() && static_cast<int>(steps.size()) < count) {
+        if (which == FirstSteps::Repeated) {
+            World again = probe.world();
+            for (std::size_t k = 0; k < again.circles.size(); ++k)
+                again.circles[k] = preset.circles[k].body;
+            probe.place(again);
+        }
+        const Circle before = probe.circle(static_cast<int>(i));
+        if (!probe.step())
+            break;
+        const Circle &now = probe.circle(static_cast<int>(i));
+        if (!isFree(before) || !isFree(now))
+            break;
+        steps.push_back(
+            {before.velocity, now.position - before.position, now.velocity - before.velocity});
+    }
+    return steps;
 }
 
 Stage flightStage(const Ground &ground, Vec2 gravity, double h, Flight::Speed speed)
