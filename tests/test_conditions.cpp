@@ -21,6 +21,7 @@ private slots:
     void conditionIsNamed();
     void clockAnswersNothing();
     void wordsTellWhatWasSeen();
+    void whoReachesAWallInAStepTouchesIt();
 };
 
 namespace {
@@ -290,6 +291,24 @@ void TestConditions::wordsTellWhatWasSeen()
     QVERIFY2(all.front().message.contains(
                  text("Of 14 tries, early and late, here and there, 8 came out right: all up to ")),
              qPrintable(all.front().message));
+}
+
+/// Who falls so fast that a step takes it past the floor is put back rightly: no place divides it.
+void TestConditions::whoReachesAWallInAStepTouchesIt()
+{
+    const LawBench bench(task(text("L42X6")));
+    const QString source =
+        written({.move = text("c.velocity = c.velocity + gravity * (time / 2) "
+                              "c.position = c.position + c.velocity * h"),
+                 .walls = text("local edge = square.half_width - c.radius "
+                               "if math.abs(c.position.y) > edge then c.position = old "
+                               "c.velocity = vec(c.velocity.x, -c.velocity.y) end")},
+                structures[0]);
+    const MeasuredLaws own(&source, bench.ground);
+    const auto motion = conditioned(Aspect::Motion, {}, own, bench.right, bench.ground, {});
+    for (const LawDeviation &each : motion.deviations)
+        QVERIFY2(!each.message.contains(text("touching nothing, went (0, 0) m")),
+                 qPrintable(each.message));
 }
 
 QTEST_GUILESS_MAIN(TestConditions)

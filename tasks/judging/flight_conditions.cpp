@@ -36,11 +36,14 @@ private:
     }
     [[nodiscard]] double timestep() const { return m_ground.stage().timestep; }
 
+    /// Whether a wall may have a part in it: it is near one, or comes past one in that step.
     [[nodiscard]] bool isNearWall(const FlightOccasion &seen) const
     {
-        const Vec2 p = seen.before.position;
-        return std::max(std::abs(p.x), std::abs(p.y))
-               > m_ground.stage().halfWidth - 5.0 * seen.before.radius;
+        const auto reaches = [&](Vec2 place, double radii) {
+            return std::max(std::abs(place.x), std::abs(place.y))
+                   > m_ground.stage().halfWidth - radii * seen.before.radius;
+        };
+        return reaches(seen.before.position, 5.0) || reaches(wantedOf(seen).position, 1.0);
     }
 
     /// The steps of circles that do not always make them rightly.
