@@ -19,6 +19,7 @@ class TestToldMeetings : public ToldMeeting
 private slots:
     void initTestCase() { read(shippedLab); }
     void partingIsTold();
+    void distancesOfTwoStepsAreToldAsSuch();
     void meetingCentresAreTold();
     void circlesPutTogetherAreTold();
     void reboundByTheOverlapIsTold();
@@ -95,6 +96,31 @@ void TestToldMeetings::partingIsTold()
     const auto n = numbersIn(said, "They ran into each other until their centres were # m apart");
     QVERIFY2(n.size() == 1, qPrintable(said));
     QVERIFY(n[0] >= 0.0 && n[0] < 0.4); // of two radii of 0.2 m
+}
+
+/// Whether they come nearer shows in the distance of the step before, of which the first step of a
+/// run knows none: what that answers, or not, is no law.
+void TestToldMeetings::distancesOfTwoStepsAreToldAsSuch()
+{
+    const auto shrinks = [&](const char *sign) {
+        return LawProgram{.start = text("last = math.huge"),
+                          .walls = text(""),
+                          .hit = text("local d = (q.position - p.position):length() "
+                                      "if d < p.radius + q.radius and d %1 last then "
+                                      "p.velocity, q.velocity = q.velocity, p.velocity end "
+                                      "last = d")
+                                     .arg(text(sign))};
+    };
+    const LawBench bench(task(text("L42T10")));
+    const auto found = [&](const char *sign) {
+        const QString program = written(shrinks(sign), structures[0]);
+        const MeasuredLaws own(&program, bench.ground);
+        return contactDeviations(own.pair(), bench.right.pair(), bench.ground);
+    };
+    QCOMPARE(LawBench::headlines(found("<")), QStringList());
+    const QString said =
+        bodyOf(found(">"), text("The circles answer when they part, not when they meet"));
+    QVERIFY2(said.contains(text("less than in the step before")), qPrintable(said));
 }
 
 void TestToldMeetings::noAnswerAtAllIsTold()

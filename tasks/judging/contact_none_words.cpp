@@ -215,7 +215,10 @@ private:
         if (found == m_own.contacts.end())
             return false;
         const PairHit &hit = *found;
-        if (!answersAny(m_own.partings) && !hit.isHeld() && hit.reached == 0.0) {
+        const bool isOfStepBefore =
+            std::any_of(m_own.partings.begin(), m_own.partings.end(),
+                        [](const PairHit &part) { return !part.answered && part.afterRest; });
+        if (!isOfStepBefore && !answersAny(m_own.partings) && !hit.isHeld() && hit.reached == 0.0) {
             add(ContactText::tr("The circles answer where their centres meet"),
                 ContactText::tr("They ran into each other until their centres were %1 m apart, and "
                                 "were answered in the step in which these passed each other; "
@@ -234,9 +237,13 @@ private:
                                    "apart, and were answered when that grew again.")
                        .arg(brief(hit.before)))
                 + QLatin1Char(' ')
-                + ContactText::tr("Circles that come nearer have a positive closing speed "
-                                  "(v₁ − v₂)·n, with n from 1 to 2: look at the comparison, and at "
-                                  "which way your normal points."),
+                + (isOfStepBefore
+                       ? ContactText::tr("The distance of circles that come nearer is less than "
+                                         "in the step before: look at what your program compares "
+                                         "with what it keeps from there.")
+                       : ContactText::tr("Circles that come nearer have a positive closing speed "
+                                         "(v₁ − v₂)·n, with n from 1 to 2: look at the comparison, "
+                                         "and at which way your normal points.")),
             hit);
         return true;
     }

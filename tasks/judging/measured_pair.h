@@ -64,6 +64,7 @@ struct PairHit {
     std::optional<Misplacement> misplaced{}; ///< what its answer makes of a place, the worst
     int misplacedCircle = 0;                 ///< whose, from 0
     bool again = false;                      ///< of those that part: it was answered again at once
+    bool afterRest = false;                  ///< and in a step after one in which they rested
     bool anew = false;                       ///< and when they were set so once more
     bool partsInside = false;                ///< after that they overlap still, and move apart
     qint64 step = 0;                         ///< in which it was answered, from 1

@@ -143,9 +143,9 @@ private:
             || std::any_of(m_right.partings.begin(), m_right.partings.end(), hit))
             return;
         const bool never = !answersAny(m_own.equals);
-        // Who remembers a hit answers the first that it sees, and no other. A wrong answer may be
-        // what parts them at once.
-        if (never || at->again || (at->anew && answersRightly()))
+        // Who remembers a hit answers the first that it sees, and no other; who compares with the
+        // step before, the first of a run. A wrong answer may be what parts them at once.
+        if (never || (at->afterRest && (at->again || (at->anew && answersRightly()))))
             addParting(never ? ContactText::tr("The circles answer when they part, not when they "
                                                "meet")
                              : ContactText::tr("Circles that already part are hit again"),

@@ -70,8 +70,11 @@ PairHit PairRange::part(const Meeting &meeting) const
     const double overlap = 1.5 * std::abs(meeting.closing()) * m_h;
     const double distance = std::max(meeting.sum() - overlap, 0.5 * meeting.sum());
     PairHit hit = meet(meeting, distance, distance, m_h, 1);
-    hit.again = hit.answered && m_paths.areEven() && isAnsweredAgain(hit);
-    hit.anew = hit.answered && m_paths.areEven() && isAnsweredAnew(hit);
+    if (!m_paths.areEven())
+        return hit;
+    hit.afterRest = isAnsweredAfterRest(hit);
+    hit.again = hit.answered && isAnsweredAgain(hit);
+    hit.anew = hit.answered && isAnsweredAnew(hit);
     return hit;
 }
 

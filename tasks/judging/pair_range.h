@@ -106,6 +106,7 @@ private:
     [[nodiscard]] bool isTurned(const std::vector<Circle> &before, const Probe &probe) const;
     [[nodiscard]] bool isAnsweredAgain(const PairHit &hit) const;
     [[nodiscard]] bool isAnsweredAnew(const PairHit &hit) const;
+    [[nodiscard]] bool isAnsweredAfterRest(const PairHit &hit) const;
     /// The same without what does not bring them nearer.
     static Meeting straight(Meeting meeting);
     /// \param distance  of the centres at the start, m

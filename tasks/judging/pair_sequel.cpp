@@ -99,6 +99,28 @@ bool PairRange::isAnsweredAnew(const PairHit &hit) const
     return probe.step() && isTurned(start.circles, probe);
 }
 
+/// Whether those that part are answered, too, when they rested where they are for a step: in the
+/// first of a run a program may know of no step before with which it compares.
+bool PairRange::isAnsweredAfterRest(const PairHit &hit) const
+{
+    Probe probe(m_program, hit.stage);
+    const World start = probe.world();
+    World rest = start;
+    for (Circle &each : rest.circles)
+        each.velocity = {};
+    probe.place(rest);
+    // Where nobody moves some programs stop: then the first step is all that is known.
+    if (!probe.step())
+        return hit.answered;
+    World set = probe.world();
+    for (std::size_t i = 0; i < 2; ++i) {
+        set.circles[i].position = start.circles[i].position;
+        set.circles[i].velocity = start.circles[i].velocity;
+    }
+    probe.place(set);
+    return probe.step() ? isTurned(start.circles, probe) : hit.answered;
+}
+
 std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
 {
     constexpr int stepsAfterwards = 6;
