@@ -22,6 +22,7 @@ private slots:
     void openWallsAreTold();
     void placeOfAnotherIsTold();
     void hitsWithoutGravityAreTold();
+    void whoIsPutOutKeepsNothing();
     void startOfTheRunIsTold();
     void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
@@ -215,6 +216,25 @@ void TestToldWalls::hitsWithoutGravityAreTold()
     QVERIFY2(n.size() == 5, qPrintable(body));
     QVERIFY(isNear(n[3], -9.81 * n[0] / n[1]));
     QCOMPARE(n[4], 1.0);
+}
+
+/// A wrong sign puts the circle out by what it should be put back; nothing of it is kept.
+void TestToldWalls::whoIsPutOutKeepsNothing()
+{
+    const LawBench bench(task(text("L42T17")));
+    const QString program = written(
+        {.walls = text("for _, n in ipairs({vec(1, 0), vec(-1, 0), vec(0, 1), vec(0, -1)}) do "
+                       "local deep = dot(c.position, n) + c.radius - square.half_width "
+                       "local speed = dot(c.velocity, n) "
+                       "if deep > 0 then c.position = c.position + deep * n if speed > 0 then "
+                       "c.velocity = c.velocity - (1 + restitution) * speed * n end end end")},
+        structures[0]);
+    const MeasuredLaws own(&program, bench.ground);
+    const QStringList said =
+        LawBench::headlines(wallDeviations(own.walls(), bench.right.walls(), bench.ground));
+    QVERIFY2(said.contains(text("Hits at the walls put both circles further out")),
+             qPrintable(said.join(u'\n')));
+    QVERIFY(said.filter(text("is not v Δt")).isEmpty());
 }
 
 /// The old place is kept once and never again.

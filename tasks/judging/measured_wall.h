@@ -45,6 +45,7 @@ struct WallHit {
     bool kicks = false;     ///< its velocity, too, was changed
     std::optional<WallStep> near{};      ///< on its way to the wall, before its rim was there
     std::optional<WallStep> unchanged{}; ///< after it was turned, as if it had not been
+    bool isAnewSo = false;               ///< a run that begins with that step makes it alike
     Motion otherFree{};                  ///< what free flight makes of another circle meanwhile
     Motion otherWas{};                   ///< and where and how fast it was after the step
     qint64 step = 0;                     ///< in which it was answered, from 1
@@ -57,6 +58,11 @@ struct WallHit {
     [[nodiscard]] bool isFar() const { return before < -1.3 * radius - std::abs(travel); }
     /// Whether the wall turned it round or held it when it came.
     [[nodiscard]] bool isAnswered() const { return (turned || held) && !isLost; }
+    /// Whether the answer put it further out than it would have got by itself.
+    [[nodiscard]] bool isPutOut() const
+    {
+        return turned && !isLeap() && after < reached - 1e-6 && after < radius - 1e-6;
+    }
     /// Whether the answer put it where no way of treating a wall puts it.
     [[nodiscard]] bool isLeap() const { return leap > 4.0 * std::abs(travel) + 1.5 * radius; }
 };

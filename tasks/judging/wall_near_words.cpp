@@ -53,18 +53,29 @@ public:
             return deviation(
                 WallText::tr("After hits at the %walls the way of %who is not v Δt"),
                 WallText::tr("Turned round at the %1, circle %2 has %3 m/s; in the next step of "
-                             "%4 s it went %5 m, and by that velocity it is %6 m. A velocity or "
-                             "an old place that your program keeps in a variable of its own must "
-                             "change at a hit, too.")
-                    .arg(motion::wallName(hit.wall))
-                    .arg(hit.circle + 1)
-                    .arg(brief(seen.was.velocity), briefTimestep(hit.stage.preset.timestep),
-                         briefBeside(is, asked), briefBeside(asked, is)),
+                             "%4 s it went %5 m, and by that velocity it is %6 m.")
+                        .arg(motion::wallName(hit.wall))
+                        .arg(hit.circle + 1)
+                        .arg(brief(seen.was.velocity), briefTimestep(hit.stage.preset.timestep),
+                             briefBeside(is, asked), briefBeside(asked, is))
+                    + QLatin1Char(' ') + whyUnchanged(hit),
                 at(hit, seen), whose, Suspect::Kept, true);
         });
     }
 
 private:
+    /// What is kept of the steps before has a part in it only if a run that begins with that step
+    /// makes another one.
+    static QString whyUnchanged(const WallHit &hit)
+    {
+        return hit.isAnewSo
+                   ? WallText::tr("So it goes in a run that begins there, too: look at what your "
+                                  "program does with a circle that is at a wall and moves away "
+                                  "from it.")
+                   : WallText::tr(
+                       "A velocity or an old place that your program keeps in a variable "
+                       "of its own must change at a hit, too.");
+    }
     static WallHit at(WallHit hit, const WallStep &seen)
     {
         hit.step = seen.step;
@@ -77,7 +88,9 @@ private:
                                                  Say say) const
     {
         const auto isOdd = [&](std::size_t i) {
-            return m_own.hits[i].*part && !(rightOf(i).*part) && !m_own.hits[i].kicks;
+            // Who is put further out has yet to come back: told of where it was put.
+            return m_own.hits[i].*part && !(rightOf(i).*part) && !m_own.hits[i].kicks
+                   && !m_own.hits[i].isPutOut();
         };
         std::vector<LawDeviation> found;
         for (const Whose &each : whose(isOdd)) {

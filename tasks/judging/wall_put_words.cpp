@@ -107,10 +107,7 @@ private:
     /// Put further out than it would have got by itself.
     void findPutOut()
     {
-        const auto isOut = [](const WallHit &hit) {
-            return hit.turned && !hit.isLeap() && hit.after < hit.reached - 1e-6
-                   && hit.after < hit.radius - 1e-6;
-        };
+        const auto isOut = [](const WallHit &hit) { return hit.isPutOut(); };
         for (const Whose &whose : misplaced(isOut)) {
             const WallHit &hit = firstOf(whose, isOut);
             add(WallText::tr("Hits at the %walls put %who further out"),

@@ -117,6 +117,9 @@ private:
     void note(WallHit &hit, const std::vector<Circle> &before, const Circle &now,
               const Motion &free, int k) const;
 
+    /// Whether a run that begins \p from the answer puts the circle where the step after it did.
+    [[nodiscard]] bool isSoAnew(const WallHit &hit, const World &from) const;
+
     /// What happens in the steps after the answer.
     void follow(WallHit &hit, Probe &probe) const;
 

@@ -147,10 +147,21 @@ void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circ
     hit.landed = now.position;
 }
 
+bool WallRange::isSoAnew(const WallHit &hit, const World &from) const
+{
+    Stage stage = hit.stage;
+    for (std::size_t i = 0; i < from.circles.size(); ++i)
+        stage.preset.circles[i].body = from.circles[i];
+    Probe probe(m_program, stage);
+    return probe.runs() && probe.step()
+           && length(probe.circle(hit.circle).position - hit.unchanged->now.position) < 1e-9;
+}
+
 void WallRange::follow(WallHit &hit, Probe &probe) const
 {
     const Vec2 n = outwardNormal(hit.wall);
     Circle c = probe.circle(hit.circle);
+    const World left = probe.world();
     WallStep next{};
     int unmoved = 0; // steps, though its velocity points away from the wall
     for (int k = 0; k < stepsAfterwards; ++k) {
@@ -177,6 +188,8 @@ void WallRange::follow(WallHit &hit, Probe &probe) const
         distanceFrom(hit.wall, hit.stage.preset.halfWidth, next.free.position) > hit.radius;
     if (unmoved > 0 && (goesOut || (unmoved > 1 && isInside && hit.fits(hit.radius))))
         hit.unchanged = next;
+    if (hit.unchanged)
+        hit.isAnewSo = isSoAnew(hit, left);
     hit.turnsBoth = dot(n, c.velocity) < 0.0
                     && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
     const double distance = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
