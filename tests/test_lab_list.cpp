@@ -23,6 +23,7 @@ private slots:
     void translatedTitleIsTaken();
     void missingFolderHasNoLabs();
     void whatCannotBeReadIsNoLab();
+    void aMenuHoldsAHundredLabs();
 
 private:
     void writeFile(const QString &name, const QByteArray &text);
@@ -136,6 +137,15 @@ void TestLabList::whatCannotBeReadIsNoLab()
     QCOMPARE(labs.size(), std::size_t(2));
     QCOMPARE(labs[0].folder, parent + QStringLiteral("/a"));
     QCOMPARE(labs[1].folder, parent + QStringLiteral("/c"));
+}
+
+/// More could not be found in a menu.
+void TestLabList::aMenuHoldsAHundredLabs()
+{
+    for (int i = 0; i < 102; ++i)
+        writeFile(QStringLiteral("many/%1/lab.json").arg(i), labCalled("Ant"));
+    QCOMPARE(labsIn(m_folder.filePath(QStringLiteral("many")), QStringLiteral("en")).size(),
+             std::size_t(100));
 }
 
 QTEST_GUILESS_MAIN(TestLabList)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "speed_question.h"
 #include "tasks/authoring/lab_edits.h"
+#include "tasks/authoring/questions_form.h"
 #include "tasks/authoring/task_form.h"
 #include "tasks/grading/judging_request.h"
 #include "tasks/grading/points.h"
@@ -32,6 +33,7 @@ private slots:
     void handedInAnswersAreGraded();
     void verifyAnswersRightly();
     void textsFollowTheirQuestionInAllLanguages();
+    void noTextsOfAQuestionThatIsGone();
 };
 
 namespace {
@@ -246,6 +248,26 @@ void TestLabQuestions::textsFollowTheirQuestionInAllLanguages()
     english.questions.erase(english.questions.begin() + 1);
     files = *withTask(files, step, english);
     QVERIFY(!files.contents.value(step + QStringLiteral("/task.de.json")).contains("Impuls"));
+}
+
+/// Where there are fewer questions, one with another id takes no place: it is a new one.
+void TestLabQuestions::noTextsOfAQuestionThatIsGone()
+{
+    const auto asked = [](std::initializer_list<const char *> ids, const char *title) {
+        std::vector<Question> all;
+        for (const char *id : ids) {
+            all.emplace_back();
+            all.back().id = QLatin1String(id);
+            all.back().title = QLatin1String(title);
+        }
+        return all;
+    };
+    const auto before = asked({"a", "b", "c"}, "English");
+    const auto german = asked({"a", "b", "c"}, "German");
+    const auto after = withTextsOf(german, before, asked({"d", "c"}, "New"));
+    QCOMPARE(after[0].title, QString(QStringLiteral("New")));
+    QCOMPARE(after[1].title, QString(QStringLiteral("German")));
+    QCOMPARE(withTextsOf(german, before, asked({"a", "b"}, "New")).size(), std::size_t(2));
 }
 
 QTEST_GUILESS_MAIN(TestLabQuestions)

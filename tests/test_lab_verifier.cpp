@@ -3,6 +3,7 @@
 #include "tasks/proof/lab_verifier.h"
 #include "tasks/proof/tolerance_margin.h"
 #include "tasks/proof/verified_text.h"
+#include "tasks/runs/variant.h"
 
 #include <QJsonArray>
 #include <QTest>
@@ -26,6 +27,7 @@ private slots:
     void cancelEndsIt();
     void usedUpToleranceIsMeasured_data();
     void usedUpToleranceIsMeasured();
+    void theFirstSceneThatNeedsMostIsNamed();
 };
 
 namespace {
@@ -299,6 +301,21 @@ void TestLabVerifier::usedUpToleranceIsMeasured()
                  QByteArray::number(found->needed));
         QCOMPARE(found->variant, QStringLiteral("preset"));
     }
+}
+
+/// A drift ends in the same place with every timestep.
+void TestLabVerifier::theFirstSceneThatNeedsMostIsNamed()
+{
+    const Task task = soundTask();
+    CheckSpec check = task.checks[0];
+    check.kind = QStringLiteral("ends_at");
+    check.scene.insert(QStringLiteral("timesteps"), QJsonArray{1.0 / 64, 1.0 / 128});
+    check.parameters = {
+        {QStringLiteral("positions"), QJsonArray{QJsonValue(QJsonArray{-1.0 + 9e-4, 0.0})}},
+        {QStringLiteral("tolerance"), 1e-3}};
+    const auto found = findTightTolerance(task, check, [] { return false; });
+    QVERIFY(found);
+    QCOMPARE(found->variant, makeVariants(task.preset, check, 1).front().name);
 }
 
 QTEST_GUILESS_MAIN(TestLabVerifier)

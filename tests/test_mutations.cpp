@@ -26,6 +26,8 @@ private slots:
     void everyMutantCanBeRead();
     void missingTestIsFound();
     void cancelledSearchSaysNothing();
+    void radiusAndDensityAreEachSeen_data();
+    void radiusAndDensityAreEachSeen();
 };
 
 namespace {
@@ -215,6 +217,44 @@ void TestMutations::cancelledSearchSaysNothing()
     task.preset.circles.resize(1);
     task.solution = fall;
     QVERIFY(suggestMistakes({}, task, {.cancelled = [] { return true; }}).list.empty());
+}
+
+void TestMutations::radiusAndDensityAreEachSeen_data()
+{
+    QTest::addColumn<QString>("start");
+    QTest::newRow("radius") << QStringLiteral("circle1.radius = 0.4");
+    QTest::newRow("density") << QStringLiteral("circle1.density = 3");
+}
+
+/// A start that no check of the step asks for: who leaves it out moves alike, and is no other
+/// spelling of the solution.
+void TestMutations::radiusAndDensityAreEachSeen()
+{
+    QFETCH(QString, start);
+    Task task;
+    task.id = QStringLiteral("S1");
+    task.preset.circles.resize(1);
+    task.preset.circles[0].body = {.velocity = {1, 0}, .radius = 0.2};
+    task.solution = QStringLiteral("function on_load()\n  %1\nend\n"
+                                   "function on_update(h)\n"
+                                   "  circle1.position = circle1.position + circle1.velocity * h\n"
+                                   "end\n")
+                        .arg(start);
+    CheckSpec check;
+    check.id = QStringLiteral("drifts");
+    check.kind = QStringLiteral("integrates");
+    check.circles = {0};
+    check.scene = {{QStringLiteral("kind"), QStringLiteral("own")},
+                   {QStringLiteral("duration"), 1.0}};
+    task.checks = {check};
+    Lab lab;
+    lab.tasks = {task};
+    const Suggestions found = suggestMistakes(lab, task, {});
+    const auto passes =
+        std::count_if(found.list.begin(), found.list.end(), [](const Suggestion &s) {
+            return s.kind == Suggestion::Kind::Passes && s.mutant.line == 2;
+        });
+    QCOMPARE(passes, 1);
 }
 
 QTEST_GUILESS_MAIN(TestMutations)

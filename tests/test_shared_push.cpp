@@ -159,6 +159,11 @@ void TestSharedPush::exchangedSharesAreTold()
     std::swap(own.radii, own.densities);
     std::swap(right.radii, right.densities);
     QCOMPARE(exchanged(), told);
+    own.radii.push_back(own.radii.front());
+    right.radii.push_back(right.radii.front());
+    QCOMPARE(exchanged(), told);
+    own.radii.back().answered = false;
+    QVERIFY(!exchanged());
     own.radii.front().answered = false;
     QVERIFY(!exchanged());
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/ran_lines.h"
+#include "tasks/judging/suspect_lines.h"
 #include "tests/lab_test.h"
 
 #include "tasks/reading/lab_reader.h"
@@ -16,6 +18,7 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void lineMovesTheCircleThatIsWrong_data();
     void lineMovesTheCircleThatIsWrong();
+    void linesOfMassesComeFirst();
 };
 
 namespace {
@@ -84,6 +87,30 @@ void TestSuspectLine::lineMovesTheCircleThatIsWrong()
     QVERIFY(found != report.checks.end());
     QVERIFY2(!found->passed && !report.error, qPrintable(failedChecks(report)));
     QCOMPARE(found->line, line);
+}
+
+/// Before those that run at the moment, but for a question and for what never runs.
+void TestSuspectLine::linesOfMassesComeFirst()
+{
+    const QString program = QStringLiteral("function on_update(h)\n"
+                                           "  local m1 = circle1.radius ^ 2\n"
+                                           "  if circle1.radius > 0.1 then\n"
+                                           "    circle1.velocity = circle1.velocity * m1\n"
+                                           "  end\n"
+                                           "  local m2 = circle2.radius ^ 2\n"
+                                           "  circle2.velocity = circle2.velocity * m2\n"
+                                           "end\n");
+    const Moment moment;
+    const RanLines ran{.now = {3, 4, 7}, .before = {3, 7}};
+    const std::vector<int> lines = suspectLines({.program = program,
+                                                 .reference = program,
+                                                 .moment = moment,
+                                                 .ran = ran,
+                                                 .suspect = Suspect::Masses,
+                                                 .last = 7,
+                                                 .aspect = Aspect::Response,
+                                                 .mending = {}});
+    QCOMPARE(QTest::toString(lines), QTest::toString(std::vector<int>{2, 6, 4, 3, 7}));
 }
 
 QTEST_GUILESS_MAIN(TestSuspectLine)

@@ -17,6 +17,7 @@ private slots:
     void wayOfAStepIsTold_data();
     void wayOfAStepIsTold();
     void whoMovesInTheOwnSceneAloneIsTold();
+    void aPartThatIsBrakedBlursNoOther();
     void crossedWayIsTold_data();
     void crossedWayIsTold();
     void aTimestepThatIsRightIsTold();
@@ -77,6 +78,22 @@ void TestToldMotion::whoMovesInTheOwnSceneAloneIsTold()
                              "In the first step of your own scene it goes (#, #) m");
     QCOMPARE(n.size(), std::size_t{2});
     QVERIFY(isNear(n[0], 2.0 / 60.0));
+}
+
+/// What brakes the velocity may be seen in the way of the same step, but does not make it twice as
+/// long.
+void TestToldMotion::aPartThatIsBrakedBlursNoOther()
+{
+    const QString program =
+        programs::written({.move = QStringLiteral("c.velocity = c.velocity * (1 - 0.5 * h) "
+                                                  "c.position = c.position "
+                                                  "+ vec(c.velocity.x, 2 * c.velocity.y) * h")},
+                          programs::structures[0]);
+    const auto n = numbersIn(bodyOfProgram("L42T2", program, "The way of circle 1 in a step"),
+                             "With the velocity (#, #) m/s and Δt = 1/# s the way of a step is "
+                             "(#, #) m; v Δt is (#, #) m.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(std::abs(n[4] / n[6] - 2.0 * (1.0 - 0.5 / n[2])) < 0.01);
 }
 
 void TestToldMotion::crossedWayIsTold_data()

@@ -92,9 +92,8 @@ Result<LabFiles> withPreset(const LabFiles &files, const QString &step, const Pr
 
 QString textOf(const LabFiles &files, const QString &path)
 {
+    // A byte order mark is left out by fromUtf8().
     QString text = QString::fromUtf8(files.contents.value(path));
-    if (text.startsWith(QChar::ByteOrderMark))
-        text.remove(0, 1);
     return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
 }
 
