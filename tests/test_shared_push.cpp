@@ -162,6 +162,8 @@ void TestSharedPush::exchangedSharesAreTold()
     own.radii.push_back(own.radii.front());
     right.radii.push_back(right.radii.front());
     QCOMPARE(exchanged(), told);
+    own.radii.back() = right.radii.back();
+    QVERIFY(!exchanged());
     own.radii.back().answered = false;
     QVERIFY(!exchanged());
     own.radii.front().answered = false;
