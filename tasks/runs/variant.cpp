@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/runs/variant.h"
 
-#include "model/world/random.h"
 #include "tasks/runs/meeting_scene.h"
-#include "tasks/runs/scene_spec.h"
+#include "tasks/runs/scene_draws.h"
 #include "tasks/runs/shot_scene.h"
 #include "tasks/runs/slow_scene.h"
 #include "tasks/text/spoken_locale.h"
@@ -21,22 +20,20 @@ struct VariantText {
     Q_DECLARE_TR_FUNCTIONS(Variant)
 };
 
-constexpr double halfWidth = 4.0; ///< of the square of pinned scenes, m
-constexpr int rallyScenes = 2;    ///< behind the encounters, where circles meet again
-constexpr double lowDrop = 0.1;   ///< from which a circle bounces often, m
+constexpr int rallyScenes = 2;  ///< behind the encounters, where circles meet again
+constexpr double lowDrop = 0.1; ///< from which a circle bounces often, m
+
 QString timestepText(double timestep)
 {
     return VariantText::tr("timestep 1/%1 s").arg(qRound(1.0 / timestep));
 }
 
 /// Makes the scenes of one check.
-class VariantMaker
+class VariantMaker : SceneDraws
 {
 public:
     VariantMaker(const Preset &submission, const CheckSpec &check, qint64 seed)
-        : m_submission(submission)
-        , m_spec(check, submission.timestep)
-        , m_random(check.scene.value(QStringLiteral("seed")).toInteger(seed))
+        : SceneDraws(submission, check, seed)
     {
     }
 
@@ -85,45 +82,6 @@ private:
         return std::move(m_variants);
     }
 
-    /// The angle of scene \p place of all, which divide the angles evenly; degrees.
-    [[nodiscard]] double spread(double place) const
-    {
-        return m_spec.angles.x + (m_spec.angles.y - m_spec.angles.x) * place / m_spec.count;
-    }
-
-    double range(Vec2 lowHigh) { return m_random.between(lowHigh.x, lowHigh.y); }
-
-    /// What item \p i of a list is when the list is gone through again and again.
-    static double cycle(const std::vector<double> &list, int i)
-    {
-        return list[static_cast<std::size_t>(i) % list.size()];
-    }
-
-    /// The student's laws over an empty stage with \p circles circles.
-    Preset stage(int i, std::size_t circles)
-    {
-        Preset preset = m_submission;
-        preset.fill.reset();
-        preset.halfWidth = halfWidth;
-        preset.gravity = m_spec.gravity;
-        preset.restitution = cycle(m_spec.restitutions, i);
-        // Offset, so that restitutions and timesteps do not go in step.
-        preset.timestep =
-            cycle(m_spec.timesteps, i + i / static_cast<int>(m_spec.timesteps.size()));
-        preset.circles.resize(std::max(circles, needed()));
-        for (PresetCircle &circle : preset.circles) {
-            circle.body = {.radius = range(m_spec.radii), .density = range(m_spec.densities)};
-        }
-        return preset;
-    }
-
-    [[nodiscard]] std::size_t needed() const
-    {
-        return static_cast<std::size_t>(
-                   *std::max_element(m_spec.circles.begin(), m_spec.circles.end()))
-               + 1;
-    }
-
     void add(const QString &what, const Preset &preset)
     {
         QStringList name{what, timestepText(preset.timestep)};
@@ -144,24 +102,6 @@ private:
             circle.body.velocity = velocity;
         }
         add(VariantText::tr("throw %1").arg(i + 1), preset);
-    }
-
-    /// One towards a side wall and one towards the ceiling, so that a few mm show at either.
-    [[nodiscard]] bool doesCreep(int i) const
-    {
-        return i == m_spec.count / 2 || i == m_spec.count / 4;
-    }
-
-    /// Brings the radius of \p shot to one end of their range and those of the others to the other
-    /// end, by more than a step of any shot is long: a wall that takes the wrong one is found out.
-    void partRadii(Preset &preset, std::size_t shot, bool isLarge) const
-    {
-        const Vec2 ends = m_spec.radii;
-        for (std::size_t k = 0; k < preset.circles.size(); ++k) {
-            double &radius = preset.circles[k].body.radius;
-            const double end = (k == shot) == isLarge ? ends.y : ends.x;
-            radius = end + 0.25 * (radius - end);
-        }
     }
 
     void addShot(int i, double degrees)
@@ -256,29 +196,6 @@ private:
         add(VariantText::tr("drop %1").arg(i + 1), preset);
     }
 
-    /// Whether scene \p i is one of two hits: of several e each has some, in turn, the largest
-    /// more.
-    [[nodiscard]] bool meetsAgain(int i, double e) const
-    {
-        // Straight on they meet again on the same line: that is a rally.
-        if (!m_spec.again || e < leastRestitution || m_spec.offset == 0.0)
-            return false;
-        const auto all = static_cast<int>(m_spec.restitutions.size());
-        if (all == 1)
-            return i % 8 == 4;
-        return e == 1.0 ? (i / all) % 2 == 0 : (i / all + i % all) % 4 == 0;
-    }
-
-    /// Somewhere in the part of the angles that is scene \p i's; where that ends at an axis,
-    /// exactly there: a program may forget one of the two parts, and level or upright the other is
-    /// nothing.
-    double angleOf(int i)
-    {
-        const double drawn = spread(i + m_random.between(0.0, 1.0));
-        const double end = spread(i + 1.0);
-        return std::fmod(end, 90.0) == 0.0 ? std::fmod(end, 360.0) : drawn;
-    }
-
     void addEncounter(int i)
     {
         Preset preset = stage(i, 2);
@@ -315,9 +232,6 @@ private:
         add(VariantText::tr("parting at %1°").arg(degrees, 0, 'f', 1), preset);
     }
 
-    const Preset &m_submission;
-    SceneSpec m_spec;
-    Random m_random;
     SlowHits m_slow;
     std::vector<Variant> m_variants;
 };
