@@ -65,6 +65,11 @@ int pushOwnField(lua_State *L, int circle, const char *key)
     lua_pushvalue(L, 2);
     if (lua_rawget(L, -2) != LUA_TNIL)
         return 1;
+    ScriptHost &host = ScriptHost::of(L);
+    if (!host.asked)
+        host.asked.emplace(host.source);
+    if (host.asked->contains(currentLine(L), QString::fromUtf8(key)))
+        return 1; // nil
     lua_pop(L, 1);
     QStringList known = engineFields();
     lua_pushnil(L);

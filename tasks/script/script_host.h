@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/run/program.h"
+#include "tasks/script/asked_fields.h"
 #include "tasks/script/lua_state.h"
 #include "tasks/script/script_limits.h"
 #include "tasks/script/trace.h"
@@ -76,8 +77,9 @@ struct ScriptHost {
 
     // Where it is.
     QString source{};
-    Trace *trace = nullptr; ///< of the update that runs, if it is written down
-    ProgramError caught{};  ///< the line and the locals of the last error
+    std::optional<AskedFields> asked{}; ///< of source, from when one is missed
+    Trace *trace = nullptr;             ///< of the update that runs, if it is written down
+    ProgramError caught{};              ///< the line and the locals of the last error
     /// Of the function where that was: its parameters that held nothing, and the line that called
     /// it; 0 if that is not known.
     QStringList missing{};
