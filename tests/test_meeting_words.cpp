@@ -38,10 +38,12 @@ void TestMeetingWords::meetingIsTold_data()
         QTest::addRow("%d. %s", ++rows, headline) << spoil << utf8(headline) << utf8(body);
     };
     const char *const again = "Circles that already part are hit again";
-    const auto part = [](bool isAgain, qint64 step, bool PairHit::*inside) -> Spoil {
+    const auto part = [](bool isAgain, qint64 step, bool PairHit::*inside,
+                         bool isAfterRest = true) -> Spoil {
         return [=](BothPairs &p) {
             PairHit hit = contactAt(21.0, 0.2, 0.2, 0.39);
             hit.again = isAgain;
+            hit.afterRest = isAfterRest;
             hit.step = step;
             p.own.partings = {unanswered(hit), hit};
             p.right.partings = {unanswered(hit), unanswered(hit)};
@@ -52,6 +54,7 @@ void TestMeetingWords::meetingIsTold_data()
     row("", part(false, 1, &PairHit::partsInside));
     row("", part(true, 2, &PairHit::partsInside));
     row("", part(true, 1, &PairHit::answered));
+    row("", part(true, 1, &PairHit::partsInside, false));
     row(again, [](BothPairs &p) { p.own.twice = contactAt(33.0, 0.2, 0.2, 0.39); });
     row("", [](BothPairs &p) { p.own.twice = p.right.twice = contactAt(33.0, 0.2, 0.2, 0.39); });
     // Of those that meet none is answered.
