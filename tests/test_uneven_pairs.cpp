@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/judging/pair_paths.h"
 #include "tasks/judging/pair_words.h"
 
 #include "tests/law_programs.h"
@@ -17,6 +18,7 @@ private slots:
     void hitsAreJudged_data();
     void hitsAreJudged();
     void momentShowsTheHit();
+    void onlyWhoBothGoByTheirOwnAreEven();
 
 private:
     [[nodiscard]] static QString programOf(const char *moves, const QString &hit)
@@ -86,6 +88,21 @@ void TestUnevenPairs::momentShowsTheHit()
         const Vec2 before = probe.circle(1).velocity;
         QVERIFY(probe.step());
         QVERIFY(length(probe.circle(1).velocity - before) > 0.01);
+    }
+}
+
+/// Whichever of the two is moved by the velocity of the other.
+void TestUnevenPairs::onlyWhoBothGoByTheirOwnAreEven()
+{
+    const LawBench step(task(text("L42T16")));
+    const QString hit = hitOf(hitWays[0], {.e = text("restitution")});
+    for (const auto &[moves, isEven] :
+         {std::pair("c.velocity", true), std::pair("2 * c.velocity", true), std::pair(twice, false),
+          std::pair("(c.index == 2 and circle1 or c).velocity", false),
+          std::pair("(c.index == 1 and circle2 or c).velocity", false)}) {
+        const QString program = programOf(moves, hit);
+        const MeasuredFlight flight(&program, step.ground);
+        QCOMPARE(PairPaths(&program, step.ground, flight).areEven(), isEven);
     }
 }
 
