@@ -30,6 +30,12 @@ void TestAppliedLine::findingMarksTheLine_data()
               "  circle1.velocity = circle1.velocity + a * h");
     rowOfStep("acceleration that is right", "L42T5", walls, kick,
               "  circle1.velocity = circle1.velocity + gravity * 1.1 * h local a = gravity");
+    rowOfStep("what a function gives", "L42T5", walls, kick,
+              "  local function pull() return (gravity + vec(0.5, 0)) * h end\n"
+              "  circle1.velocity = circle1.velocity + pull()");
+    rowOfStep("what a named function gives", "L42T5", walls, kick,
+              "  local function pull(c, k) return gravity * k + 0.1 * k * c.velocity end\n"
+              "  circle1.velocity = circle1.velocity + pull(circle1, h)");
     const QString flight =
         QStringLiteral("function on_load()\n  circle1.velocity = vec(2, 0)\nend\n"
                        "function on_update(h)\n  circle1.position = "

@@ -138,6 +138,10 @@ void TestCheckScript::verdictIsTaken()
         drift());
     QVERIFY(!odd.error && !odd.passed);
     QCOMPARE(odd.time, 4.0);
+    for (const auto &[given, kept] : {std::pair("-2", 0.0), std::pair("0.5", 0.5)}) {
+        const QString check = QStringLiteral("return false, 'x', {time = %1}");
+        QCOMPARE(runCheckScript(checkOf(check.arg(QLatin1String(given))), drift()).time, kept);
+    }
     QVERIFY(!odd.expected && !odd.observed);
     QVERIFY(odd.unit.isEmpty());
 
