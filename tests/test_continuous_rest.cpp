@@ -8,6 +8,8 @@
 #include "tests/falls.h"
 #include "tests/scenes.h"
 
+#include <algorithm>
+
 using namespace cradle;
 using namespace cradle::scenes;
 
@@ -20,6 +22,8 @@ private slots:
     void restingOnTheFloorNeverSinks();
     void aRestingCircleSlidesOnTheFloor();
     void gravityAsideHoldsAtTheWall();
+    void whoFallsOnWhatLiesHitsInThatStep_data();
+    void whoFallsOnWhatLiesHitsInThatStep();
     void aPlasticHitIsOneHit();
     void elasticHopsAreNoRest();
     void aPlasticHitAgainstTheWallEndsAtOnce();
@@ -88,6 +92,34 @@ void TestContinuousRest::gravityAsideHoldsAtTheWall()
     COMPARE_NEAR(run[0].position.x, 3.8, 1e-9);
     COMPARE_NEAR(run[0].position.y, 3.8, 1e-9);
     QVERIFY(run[0].velocity == Vec2{});
+}
+
+void TestContinuousRest::whoFallsOnWhatLiesHitsInThatStep_data()
+{
+    QTest::addColumn<Vec2>("down");
+    QTest::newRow("down") << Vec2{0, -1};
+    QTest::newRow("up") << Vec2{0, 1};
+    QTest::newRow("to the left") << Vec2{-1, 0};
+    QTest::newRow("to the right") << Vec2{1, 0};
+}
+
+/// 17.5 mm above what lies: a step takes it v Δt = 16.7 mm, and g Δt² / 2 = 1.4 mm more.
+void TestContinuousRest::whoFallsOnWhatLiesHitsInThatStep()
+{
+    QFETCH(Vec2, down);
+    constexpr double gap = 17.5e-3;
+    const Vec2 lies = room * down;
+    Preset preset = scene({circle(lies, {0, 0}, 0.2, Integrator::Verlet),
+                           circle(lies - (0.4 + gap) * down, down, 0.2, Integrator::Verlet)},
+                          lawsOf(CircleLaw::Impulse));
+    preset.gravity = g * down;
+    preset.restitution = 0.5;
+    Run run(preset);
+    run.steps(1);
+    const auto hit = std::find_if(run.hits.begin(), run.hits.end(),
+                                  [](const Hit &each) { return each.kind == Hit::Kind::Circle; });
+    QVERIFY(hit != run.hits.end());
+    COMPARE_NEAR(hit->time, (std::sqrt(1.0 + 2.0 * g * gap) - 1.0) / g, 1e-9);
 }
 
 void TestContinuousRest::aPlasticHitIsOneHit()
