@@ -32,9 +32,16 @@ protected:
         const bool isWeighed = given == weighed;
         const bool isPart = given == angles || given == frame || given == rebounds;
         const char *step = isWeighed ? "L42T15" : given == rebounds ? "L42T16" : "L42T12";
-        rowOfStep(name, step,
-                  QString::fromLatin1(program) + (isPart ? QString::fromLatin1(moves) : QString()),
-                  right, wrong, marked);
+        QString whole = QString::fromLatin1(program);
+        if (isPart)
+            whole += QString::fromLatin1(moves);
+        if (given == rebounds) { // where that step asks for them
+            whole.replace(QLatin1String("vec(-2, 2), vec(2, 0)"),
+                          QLatin1String("vec(-2.5, 2), vec(1, 0)"));
+            whole.replace(QLatin1String("vec(2, -2), vec(0, 2)"),
+                          QLatin1String("vec(0, 2), vec(-1, 0)"));
+        }
+        rowOfStep(name, step, whole, right, wrong, marked);
     }
     static void rowOfStep(const char *name, const char *step, const QString &program,
                           const char *right, const char *wrong, bool marked = true)

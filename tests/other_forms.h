@@ -156,7 +156,7 @@ inline OtherForm otherForm(const QString &step)
         form.start += lab("circle1.radius, circle2.radius = 0.2, 0.2 "
                           "circle1.density, circle2.density = 1, 2 ");
     if (number >= 16)
-        form.start += lab("restitution = 0.6 ");
+        form.start += lab("restitution = 0.5 ");
     if (number == 17)
         form.start += lab("gravity = vec(0, -9.81) restitution = 0.75 ");
     if (number == 9)

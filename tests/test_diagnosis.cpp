@@ -143,17 +143,17 @@ void TestDiagnosis::mistakeOfAnotherFormIsRecognised_data()
         [](OtherForm &f) { f.answer = parts::exchange; });
     row("L42T15", "density not asked for", "density-ignored",
         [](OtherForm &f) { f.mass = lab("c.radius ^ 3"); });
-    row("L42T16", "own e, squared", "e is squared in the hit of two circles",
+    row("L42T16", "own e, squared", "e-squared",
         [](OtherForm &f) { edit(f.answer, "1 + restitution", "1 + restitution ^ 2"); });
     row("L42T16", "no e, centre of mass", "e-forgotten", [](OtherForm &f) {
         f.answer = aboutCentre;
         f.answer.replace(lab("(1 + restitution)"), lab("2"));
     });
-    row("L42T16", "no e for circle 2", "Along the normal only circle 1 feels e", [](OtherForm &f) {
+    row("L42T16", "no e for circle 2", "e-on-one-circle", [](OtherForm &f) {
         edit(f.answer, "q.velocity + j / m2 * n",
              "q.velocity + 2 * j / (1 + restitution) / m2 * n");
     });
-    row("L42T16", "normal parts times e", "e multiplies both whole new parts", [](OtherForm &f) {
+    row("L42T16", "normal parts times e", "final-velocities-times-e", [](OtherForm &f) {
         f.answer.replace(lab("(1 + restitution)"), lab("2"));
         edit(f.answer, "* n end",
              "* n for _, c in ipairs({p, q}) do "

@@ -57,8 +57,6 @@ void TestOtherForms::correctWorkOfAnotherFormPasses_data()
     row("L42T12", "step 12, Euler", [](OtherForm &f) { f.integrate = euler; });
     row("L42T14", "step 14, centre of mass", [](OtherForm &f) { f.answer = aboutCentre; });
     row("L42T16", "step 16, centre of mass", [](OtherForm &f) { f.answer = aboutCentre; });
-    row("L42T16", "step 16, e = 0.1",
-        [](OtherForm &f) { edit(f.start, "restitution = 0.6", "restitution = 0.1"); });
     row("L42T17", "step 17, Euler", [](OtherForm &f) { f.integrate = euler; });
     row("L42T17", "step 17, circles before walls", [](OtherForm &f) {
         f.circlesFirst = true;
