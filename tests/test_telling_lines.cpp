@@ -111,6 +111,8 @@ void TestTellingLines::lineIsTold()
     const int last = static_cast<int>(rows.size()) + 1;
     const QString turned = program + QStringLiteral("\na = math.atan(y, x)");
     QCOMPARE(tellingLine(deviation, ProgramLines(turned), rowsOf(turned), ran, 0, unsound), last);
+    const QString above = QStringLiteral("a = math.atan(y, x)\n") + program;
+    QCOMPARE(tellingLine(deviation, ProgramLines(above), rowsOf(above), ran, 0, unsound), 1);
     const QString twice = turned + QStringLiteral("\nb = math.acos(x)");
     RanLines all = ran;
     all.now.insert(last + 1);
