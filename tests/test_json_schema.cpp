@@ -154,6 +154,9 @@ void TestJsonSchema::refusesWhatDoesNotFit_data()
     row("neither branch", R"({"size": 2, "parts": 7})", "/parts", "a list of parts, or");
     row("in a list", R"({"size": 2, "parts": [{"kind": "nut"}, {"kind": "cog"}]})", "/parts/1/kind",
         "\"cog\" is not right here; right would be one of nut, bolt");
+    row("two alike in a list",
+        R"({"size": 2, "parts": [{"kind": "nut"}, {"kind": "cog"}, {"kind": "peg"}]})",
+        "/parts/1/kind", "\"cog\" is not right here");
     row("missing in a list", R"({"size": 2, "parts": [{}]})", "/parts/0", "\"kind\" is missing");
     row("unknown in a list", R"({"size": 2, "parts": [{"kind": "nut", "weight": 1}]})",
         "/parts/0/weight", "unknown key \"weight\"");
