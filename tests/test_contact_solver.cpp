@@ -28,6 +28,7 @@ private slots:
     void aLongRowFulfilsItsConditions_data();
     void aLongRowFulfilsItsConditions();
     void aWedgedRowFulfilsItsConditions();
+    void aPackFulfilsItsConditions();
 };
 
 namespace {
@@ -263,6 +264,54 @@ void TestContactSolver::aWedgedRowFulfilsItsConditions()
             QVERIFY(c.impulse >= 0.0);
             COMPARE_NEAR(std::min(0.0, surplus), 0.0, 1e-9);
             COMPARE_NEAR(c.impulse * surplus, 0.0, 1e-8 * (1.0 + c.impulse));
+        }
+    }
+}
+
+/// Circles of unlike masses in a hexagonal pack that closes towards its middle: each push hangs on
+/// those of up to ten others.
+void TestContactSolver::aPackFulfilsItsConditions()
+{
+    constexpr int side = 20;
+    for (qint64 seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        std::vector<double> inverseMasses;
+        std::vector<Vec2> velocities;
+        std::vector<Contact> contacts;
+        for (int i = 0; i < side * side; ++i) {
+            const int row = i / side;
+            const Vec2 place{i % side + 0.5 * row, 0.866 * row};
+            inverseMasses.push_back(random.between(0.2, 5.0));
+            velocities.push_back(random.between(0.5, 1.0) * (Vec2{15.0, 8.0} - place));
+        }
+        const auto touch = [&](int a, int b, Vec2 n) {
+            const Vec2 v =
+                velocities[static_cast<std::size_t>(a)] - velocities[static_cast<std::size_t>(b)];
+            contacts.push_back({.a = a, .b = b, .normal = n, .change = dot(v, n)});
+        };
+        const double high = std::sqrt(0.75);
+        for (int i = 0; i < side * side; ++i) {
+            if (i % side + 1 < side)
+                touch(i, i + 1, {1.0, 0.0});
+            if (i / side + 1 < side)
+                touch(i, i + side, {0.5, high});
+            if (i / side + 1 < side && i % side > 0)
+                touch(i, i + side - 1, {-0.5, high});
+        }
+        solveContacts(contacts, inverseMasses);
+        for (const Contact &c : contacts) {
+            const auto a = static_cast<std::size_t>(c.a);
+            const auto b = static_cast<std::size_t>(c.b);
+            velocities[a] -= (c.impulse * inverseMasses[a]) * c.normal;
+            velocities[b] += (c.impulse * inverseMasses[b]) * c.normal;
+        }
+        for (const Contact &c : contacts) {
+            const double parting = dot(velocities[static_cast<std::size_t>(c.b)]
+                                           - velocities[static_cast<std::size_t>(c.a)],
+                                       c.normal);
+            QVERIFY(c.impulse >= 0.0);
+            QVERIFY2(parting >= -1e-6, QByteArray::number(parting));
+            QVERIFY2(std::min(c.impulse, parting) < 1e-6, QByteArray::number(parting));
         }
     }
 }

@@ -158,7 +158,7 @@ private:
         // One byte more than declared tells that it lied, and asks for the checksum.
         QByteArray content(qsizetype(stat.size) + 1, Qt::Uninitialized);
         qsizetype filled = 0;
-        while (filled < content.size()) {
+        while (true) { // until there is no more, or no room for it
             const zip_int64_t more = zip_fread(file.get(), content.data() + filled,
                                                zip_uint64_t(content.size() - filled));
             if (more < 0)
