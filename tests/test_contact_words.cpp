@@ -119,6 +119,15 @@ void TestContactWords::faultIsTold_data()
                 hit.parting = hit.moved1 = true;
         },
         "They touched, their places were changed");
+    row(
+        "The circles are answered long after they meet",
+        [](BothPairs &p) {
+            for (PairHit &hit : p.own.contacts)
+                hit.parting = true;
+            p.own.partings = {contactAt(21.0, 0.2, 0.2, 0.39)};
+            p.own.partings.front().answered = false;
+        },
+        "move apart are not answered at once");
     row("", [](BothPairs &p) {
         for (PairHit &hit : p.own.contacts)
             hit.parting = hit.meeting.degrees > 200.0;
@@ -237,6 +246,13 @@ void TestContactWords::placesAreToldBeyondTwoSteps()
     QCOMPARE(said(0.491), QStringList(utf8("A hit puts the circles too far apart")));
     QVERIFY(said(0.196).isEmpty());
     QCOMPARE(said(0.194), QStringList(utf8("A hit puts the circles into each other")));
+    // Who flies on so far by a wrong velocity was put nowhere.
+    const auto flown = contactsFound([](BothPairs &p) {
+        PairHit &hit = p.own.contacts[1];
+        hit.after = 0.194;
+        hit.left2 = hit.left1 - 12.0 * hit.normal;
+    });
+    QVERIFY(headlinesOf(flown).filter(utf8("into each other")).isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestContactWords)

@@ -19,6 +19,7 @@ private slots:
     void largerOneAnswersAsTheLighter();
     void besideOtherFaultsOnlyClearPowersAreTold();
     void sharesThatNoMassesMakeAreTold();
+    void pushesOfTheWrongSignAreTold();
     void numbersInPlaceOfMassesAreTold_data();
     void numbersInPlaceOfMassesAreTold();
     void oneCircleAloneTells_data();
@@ -149,6 +150,23 @@ void TestMassWords::sharesThatNoMassesMakeAreTold()
     }
     QCOMPARE(headlinesOf(massDeviations(stronger, ofBalls(), false)),
              QStringList(utf8("The mass grows with r to the power of 2, not 3")));
+}
+
+/// Equal circles part as they should; where one is larger, both pushes have the other sign.
+void TestMassWords::pushesOfTheWrongSignAreTold()
+{
+    MeasuredPair own = ofBalls();
+    PairHit &hit = own.radii[0];
+    hit.left1 = hit.came1 - hit.push1();
+    hit.left2 = hit.came2 - hit.push2();
+    const auto found = massDeviations(own, ofBalls(), true);
+    QCOMPARE(headlinesOf(found),
+             QStringList(utf8("Some hits drive the circles towards each other")));
+    // Of 3 m/s the smaller one, 5.36 times as light, takes the larger share.
+    QVERIFY2(found.front().message.contains(utf8(
+                 "the velocity of circle 1 changed by 2.53 m/s and that of circle 2 by -0.472 m/s, "
+                 "so that they come nearer still faster. A hit takes (1 + e) u = 3 m/s of that")),
+             qPrintable(found.front().message));
 }
 
 void TestMassWords::numbersInPlaceOfMassesAreTold_data()

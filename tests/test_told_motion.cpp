@@ -28,6 +28,7 @@ private slots:
     void stepsThatAlternateAreTold();
     void stepsThatAreUnlikeAreTold_data();
     void stepsThatAreUnlikeAreTold();
+    void timeThatIsSavedUpIsTold();
     void stepsThatGrowWithTheirNumberAreTold();
 };
 
@@ -246,6 +247,28 @@ void TestToldMotion::stepsThatAreUnlikeAreTold()
     QVERIFY(isNear(n[12], -9.81 / n[2]));
     for (std::size_t k = 0; k < 4; ++k)
         QVERIFY(n[3 + 2 * k] == 0.0 && isNear(n[4 + 2 * k], falls[qsizetype(k)] * n[12]));
+}
+
+/// Of steps that are half as long as those that it makes every second one does nothing: no number
+/// stands for the timestep in each.
+void TestToldMotion::timeThatIsSavedUpIsTold()
+{
+    const QString program =
+        QStringLiteral("local saved = 0 ")
+        + written({.circles = 1,
+                   .move = QStringLiteral("saved = saved + h if saved > 0.99 / 60 then "
+                                          "saved = saved - 1 / 60 "
+                                          "c.position = c.position + c.velocity / 60 "
+                                          "c.velocity = c.velocity + gravity / 60 end")},
+                  structures[0]);
+    const QString said =
+        bodyOfProgram("L42T3", program, "Not every step of circle 1 is made alike");
+    const auto n = numbersIn(said, "in the first four steps of 1/# s its velocity changes by (#, "
+                                   "#), (#, #), (#, #) and (#, #) m/s; (#, #) m/s is right in "
+                                   "each.");
+    QVERIFY2(n.size() == 11 && n[0] == 120.0, qPrintable(said));
+    for (std::size_t k = 0; k < 4; ++k)
+        QVERIFY(isNear(n[2 + 2 * k], k % 2 == 0 ? 0.0 : -9.81 / 60.0));
 }
 
 /// The whole time since the start takes the place of that of one step.

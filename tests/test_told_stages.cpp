@@ -306,6 +306,14 @@ end
                 .contact(QString(program).replace(QLatin1String("d:dot(w), d:dot(d)"),
                                                   QLatin1String("2 * d:dot(w), d:dot(d)")))
                 .isEmpty());
+    // Who stops with an error in that hit did not run into anybody.
+    const QString stopping = QString(program).replace(QLatin1String("local meets = t >= 0"),
+                                                      QLatin1String("if t > h and t < 1.5 * h then "
+                                                                    "error('late') end "
+                                                                    "local meets = t >= 0"));
+    QVERIFY(
+        !LawBench::headlines(bench.contactFound(stopping))
+             .contains(text("Whether a hit is answered depends on where in a step they touch")));
 }
 
 void TestToldStages::distanceThatFewRadiiShowIsTold_data()

@@ -23,6 +23,7 @@ private slots:
     void placeOfAnotherIsTold();
     void hitsWithoutGravityAreTold();
     void whoIsPutOutKeepsNothing();
+    void whoIsPutPastTheOtherWallIsToldOfIt();
     void startOfTheRunIsTold();
     void otherLawsAtOtherWallsAreToldApart();
     void oneSpeedIsNoneOfTheirOwn();
@@ -235,6 +236,31 @@ void TestToldWalls::whoIsPutOutKeepsNothing()
     QVERIFY2(said.contains(text("Hits at the walls put both circles further out")),
              qPrintable(said.join(u'\n')));
     QVERIFY(said.filter(text("is not v Δt")).isEmpty());
+}
+
+/// From the left of the left wall it moves into that, and is rightly put back in the next step.
+void TestToldWalls::whoIsPutPastTheOtherWallIsToldOfIt()
+{
+    const LawBench bench(task(text("L42T2")));
+    const QString program =
+        written({.circles = 1,
+                 .walls = text("local x, y, r = c.position.x, c.position.y, c.radius "
+                               "local vx, vy = c.velocity.x, c.velocity.y "
+                               "if x - r < square.left then x, vx = square.left + r, math.abs(vx) "
+                               "elseif x + r > square.right then "
+                               "x, vx = square.left - r, -math.abs(vx) end "
+                               "if y - r < square.bottom then y, vy = square.bottom + r, "
+                               "math.abs(vy) elseif y + r > square.top then "
+                               "y, vy = square.top - r, -math.abs(vy) end "
+                               "c.position, c.velocity = vec(x, y), vec(vx, vy)")},
+                structures[0]);
+    const MeasuredLaws own(&program, bench.ground);
+    const auto found = wallDeviations(own.walls(), bench.right.walls(), bench.ground);
+    QCOMPARE(LawBench::headlines(found),
+             QStringList(text("Hits at the right wall put circle 1 somewhere else")));
+    const auto n = numbersIn(found.front().message,
+                             "At the right wall circle 1 was put # m away from its own path");
+    QVERIFY2(n.size() == 1 && n[0] > 7.5 && n[0] < 8.5, qPrintable(found.front().message));
 }
 
 /// The old place is kept once and never again.

@@ -235,7 +235,7 @@ void TestWallRebounds::heldIsTold()
         own.hits[0].stays = stays;
         const ReboundWords words = wordsOf(own, right, made::wallGround());
         QCOMPARE(words.headline, utf8("Hits at the %walls hold %who and turn no velocity round"));
-        QCOMPARE(words.why.contains(utf8("in every step")), stays);
+        QCOMPARE(words.why.contains(utf8("In every step")), stays);
     }
     own.hits[0].turnsLater = 2;
     own.hits[0].stage.preset.timestep = 0.01;

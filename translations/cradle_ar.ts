@@ -2111,6 +2111,14 @@ A hit with e = 0.9 leaves e² = 81 % of the energy of the motion towards each ot
         <translation>حيث تراكبتا وضع برنامجك الدائرة ⁨%1⁩ في غير المكان الذي تحملها إليه سرعتها. في هذه المرحلة ينبغي أن تعبر كل منهما الأخرى بعد.</translation>
     </message>
     <message>
+        <source>The circles are answered long after they meet</source>
+        <translation>تستجيب الدائرتان بعد التقائهما بوقت طويل</translation>
+    </message>
+    <message>
+        <source>Circles that overlap at the start of a run and move apart are not answered at once. Look at what is asked before they answer, and at what your program counts, or keeps from one step to the next.</source>
+        <translation>الدائرتان المتداخلتان في بداية التشغيل والمتباعدتان لا تستجيبان فورًا. انظر ماذا يُسأل قبل أن تستجيبا، وماذا يعدّ برنامجك أو يحتفظ به من خطوة إلى الخطوة التالية.</translation>
+    </message>
+    <message>
         <source>The circles answer when they part, not when they meet</source>
         <translation>تستجيب الدائرتان حين تفترقان لا حين تلتقيان</translation>
     </message>
@@ -2537,6 +2545,14 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
     <message>
         <source>Circle 1 changed its velocity by %1 m/s and circle 2 by %2, together %3 m/s; (1 + e) u = %4 m/s is right. However heavy they are, the share of circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).</source>
         <translation>غيّرت الدائرة 1 سرعتها بمقدار ⁦%1 m/s⁩ والدائرة 2 بمقدار ⁨%2⁩، ومعًا ⁦%3 m/s⁩؛ الصواب ⁦(1 + e) u = %4 m/s⁩. ومهما كان ثقلهما فنصيب الدائرة 1 هو ⁦m₂/(m₁ + m₂)⁩ ونصيب الدائرة 2 هو ⁦m₁/(m₁ + m₂)⁩.</translation>
+    </message>
+    <message>
+        <source>Some hits drive the circles towards each other</source>
+        <translation>بعض التصادمات تدفع الدائرتين إحداهما نحو الأخرى</translation>
+    </message>
+    <message>
+        <source>Along it, from 1 to 2, the velocity of circle 1 changed by %1 m/s and that of circle 2 by %2 m/s, so that they come nearer still faster. A hit takes (1 + e) u = %3 m/s of that, and each circle changes by its share: circle 1 by m₂/(m₁ + m₂) and circle 2 by m₁/(m₁ + m₂) of it.</source>
+        <translation>على هذا الخط، من 1 إلى 2، تغيّرت سرعة الدائرة 1 بمقدار ⁦%1 m/s⁩ وسرعة الدائرة 2 بمقدار ⁦%2 m/s⁩، فتقتربان أسرع من قبل. التصادم ينقص من ذلك ⁦(1 + e) u = %3 m/s⁩، ولكل دائرة نصيبها منه: الدائرة 1 بمقدار ⁦m₂/(m₁ + m₂)⁩ والدائرة 2 بمقدار ⁦m₁/(m₁ + m₂)⁩.</translation>
     </message>
     <message>
         <source>The shares of the two circles do not add up to 1</source>
@@ -3387,12 +3403,12 @@ Until this is right, no more can be said of walls and hits.</source>
         <translation>تُعاد الدائرة في الحال، ولا تشير سرعتها بعيدًا عن الجدار إلا بعد ⁦%1 s⁩.</translation>
     </message>
     <message>
-        <source>It is put back in every step and runs into it again.</source>
-        <translation>تُعاد الدائرة في كل خطوة ثم تندفع إليه من جديد.</translation>
+        <source>In every step it is kept from going on, and its velocity still points into it.</source>
+        <translation>في كل خطوة تُمنع الدائرة من المضيّ، ولا تزال سرعتها تشير إلى داخل الجدار.</translation>
     </message>
     <message>
-        <source>It is put back, and its velocity stays as it was.</source>
-        <translation>تُعاد الدائرة وتبقى سرعتها كما كانت.</translation>
+        <source>It is kept from going on, and its velocity stays as it was.</source>
+        <translation>تُمنع الدائرة من المضيّ وتبقى سرعتها كما كانت.</translation>
     </message>
     <message>
         <source>At the %walls %who gets the velocity of the other circle</source>

@@ -2083,6 +2083,14 @@ Ein Stoß mit e = 0.9 lässt e² = 81 % der Energie der Bewegung aufeinander zu.
         <translation>Wo sie sich überlappten, setzte dein Programm Kreis %1 anderswohin, als seine Geschwindigkeit ihn bringt. In diesem Schritt sollen sie noch durcheinander hindurchgehen.</translation>
     </message>
     <message>
+        <source>The circles are answered long after they meet</source>
+        <translation>Die Kreise antworten lange, nachdem sie sich treffen</translation>
+    </message>
+    <message>
+        <source>Circles that overlap at the start of a run and move apart are not answered at once. Look at what is asked before they answer, and at what your program counts, or keeps from one step to the next.</source>
+        <translation>Kreise, die sich am Anfang eines Laufs überlappen und sich voneinander entfernen, antworten nicht sofort. Sieh dir an, was gefragt wird, bevor sie antworten, und was dein Programm zählt oder von einem Schritt zum nächsten aufbewahrt.</translation>
+    </message>
+    <message>
         <source>The circles answer when they part, not when they meet</source>
         <translation>Die Kreise antworten, wenn sie sich entfernen, nicht, wenn sie sich treffen</translation>
     </message>
@@ -2839,6 +2847,14 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Kreis 1 änderte seine Geschwindigkeit um %1 m/s und Kreis 2 um %2, zusammen %3 m/s; richtig ist (1 + e) u = %4 m/s. Wie schwer sie auch sind, der Anteil von Kreis 1 ist m₂/(m₁ + m₂) und der von Kreis 2 m₁/(m₁ + m₂).</translation>
     </message>
     <message>
+        <source>Some hits drive the circles towards each other</source>
+        <translation>Manche Stöße treiben die Kreise aufeinander zu</translation>
+    </message>
+    <message>
+        <source>Along it, from 1 to 2, the velocity of circle 1 changed by %1 m/s and that of circle 2 by %2 m/s, so that they come nearer still faster. A hit takes (1 + e) u = %3 m/s of that, and each circle changes by its share: circle 1 by m₂/(m₁ + m₂) and circle 2 by m₁/(m₁ + m₂) of it.</source>
+        <translation>Längs dieser Linie, von 1 nach 2, änderte sich die Geschwindigkeit von Kreis 1 um %1 m/s und die von Kreis 2 um %2 m/s, so dass sie sich noch schneller nähern. Ein Stoß nimmt davon (1 + e) u = %3 m/s, und jeder Kreis ändert sich um seinen Anteil: Kreis 1 um m₂/(m₁ + m₂) und Kreis 2 um m₁/(m₁ + m₂) davon.</translation>
+    </message>
+    <message>
         <source>The shares of the two circles do not add up to 1</source>
         <translation>Die Anteile der beiden Kreise ergeben zusammen nicht 1</translation>
     </message>
@@ -3363,12 +3379,12 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
         <translation>Der Kreis wird sofort zurückgesetzt, und erst %1 s später zeigt seine Geschwindigkeit von der Wand weg.</translation>
     </message>
     <message>
-        <source>It is put back in every step and runs into it again.</source>
-        <translation>Der Kreis wird in jedem Schritt zurückgesetzt und läuft wieder hinein.</translation>
+        <source>In every step it is kept from going on, and its velocity still points into it.</source>
+        <translation>In jedem Schritt kommt der Kreis nicht weiter, und seine Geschwindigkeit zeigt weiter in sie hinein.</translation>
     </message>
     <message>
-        <source>It is put back, and its velocity stays as it was.</source>
-        <translation>Der Kreis wird zurückgesetzt, und seine Geschwindigkeit bleibt, wie sie war.</translation>
+        <source>It is kept from going on, and its velocity stays as it was.</source>
+        <translation>Der Kreis kommt nicht weiter, und seine Geschwindigkeit bleibt, wie sie war.</translation>
     </message>
     <message>
         <source>At the %walls %who gets the velocity of the other circle</source>

@@ -2087,6 +2087,14 @@ Un choc avec e = 0.9 laisse e² = 81&#xa0;% de l&apos;énergie du mouvement de r
         <translation>Là où ils se chevauchaient, votre programme a mis le cercle %1 ailleurs que là où sa vitesse le mène. Dans cette étape, ils doivent encore se traverser.</translation>
     </message>
     <message>
+        <source>The circles are answered long after they meet</source>
+        <translation>Les cercles réagissent longtemps après leur rencontre</translation>
+    </message>
+    <message>
+        <source>Circles that overlap at the start of a run and move apart are not answered at once. Look at what is asked before they answer, and at what your program counts, or keeps from one step to the next.</source>
+        <translation>Des cercles qui se chevauchent au début d&apos;une exécution et s&apos;éloignent l&apos;un de l&apos;autre ne réagissent pas aussitôt. Regardez ce qui est demandé avant qu&apos;ils réagissent, et ce que votre programme compte ou conserve d&apos;un pas à l&apos;autre.</translation>
+    </message>
+    <message>
         <source>The circles answer when they part, not when they meet</source>
         <translation>Les cercles réagissent quand ils se séparent, pas quand ils se rencontrent</translation>
     </message>
@@ -2513,6 +2521,14 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
     <message>
         <source>Circle 1 changed its velocity by %1 m/s and circle 2 by %2, together %3 m/s; (1 + e) u = %4 m/s is right. However heavy they are, the share of circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).</source>
         <translation>Le cercle 1 a changé sa vitesse de %1 m/s et le cercle 2 de %2, ensemble %3 m/s&#xa0;; (1 + e) u = %4 m/s est juste. Quelles que soient leurs masses, la part du cercle 1 est m₂/(m₁ + m₂) et celle du cercle 2 m₁/(m₁ + m₂).</translation>
+    </message>
+    <message>
+        <source>Some hits drive the circles towards each other</source>
+        <translation>Certains chocs poussent les cercles l&apos;un vers l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Along it, from 1 to 2, the velocity of circle 1 changed by %1 m/s and that of circle 2 by %2 m/s, so that they come nearer still faster. A hit takes (1 + e) u = %3 m/s of that, and each circle changes by its share: circle 1 by m₂/(m₁ + m₂) and circle 2 by m₁/(m₁ + m₂) of it.</source>
+        <translation>Suivant cette ligne, de 1 vers 2, la vitesse du cercle 1 a changé de %1 m/s et celle du cercle 2 de %2 m/s, de sorte qu&apos;ils se rapprochent encore plus vite. Un choc en retire (1 + e) u = %3 m/s, et chaque cercle en change de sa part&#xa0;: le cercle 1 de m₂/(m₁ + m₂) et le cercle 2 de m₁/(m₁ + m₂).</translation>
     </message>
     <message>
         <source>The shares of the two circles do not add up to 1</source>
@@ -3363,12 +3379,12 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
         <translation>Le cercle est remis en place aussitôt, et sa vitesse ne s&apos;éloigne de la paroi que %1 s plus tard.</translation>
     </message>
     <message>
-        <source>It is put back in every step and runs into it again.</source>
-        <translation>Le cercle est remis en place à chaque pas et repart contre elle.</translation>
+        <source>In every step it is kept from going on, and its velocity still points into it.</source>
+        <translation>À chaque pas, le cercle est empêché d&apos;avancer, et sa vitesse pointe toujours dans la paroi.</translation>
     </message>
     <message>
-        <source>It is put back, and its velocity stays as it was.</source>
-        <translation>Le cercle est remis en place, et sa vitesse reste ce qu&apos;elle était.</translation>
+        <source>It is kept from going on, and its velocity stays as it was.</source>
+        <translation>Le cercle est empêché d&apos;avancer, et sa vitesse reste ce qu&apos;elle était.</translation>
     </message>
     <message>
         <source>At the %walls %who gets the velocity of the other circle</source>

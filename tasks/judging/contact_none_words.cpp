@@ -229,14 +229,27 @@ private:
                 hit, Suspect::Reach);
             return true;
         }
+        const QString seen = hit.isHeld()
+                                 ? ContactText::tr("They touched, their places were changed and "
+                                                   "their velocities kept, until they moved apart.")
+                                 : ContactText::tr("They ran into each other until their centres "
+                                                   "were %1 m apart, and were answered when that "
+                                                   "grew again.")
+                                       .arg(brief(hit.before));
+        // Who only answers late may do so while others, that come more slowly, still meet.
+        if (!isOfStepBefore && !m_own.partings.empty() && !answersAny(m_own.partings)
+            && !hit.isHeld()) {
+            add(ContactText::tr("The circles are answered long after they meet"),
+                seen + QLatin1Char(' ')
+                    + ContactText::tr("Circles that overlap at the start of a run and move apart "
+                                      "are not answered at once. Look at what is asked before "
+                                      "they answer, and at what your program counts, or keeps "
+                                      "from one step to the next."),
+                hit, Suspect::Question);
+            return true;
+        }
         add(ContactText::tr("The circles answer when they part, not when they meet"),
-            (hit.isHeld()
-                 ? ContactText::tr("They touched, their places were changed and their "
-                                   "velocities kept, until they moved apart.")
-                 : ContactText::tr("They ran into each other until their centres were %1 m "
-                                   "apart, and were answered when that grew again.")
-                       .arg(brief(hit.before)))
-                + QLatin1Char(' ')
+            seen + QLatin1Char(' ')
                 + (isOfStepBefore
                        ? ContactText::tr("The distance of circles that come nearer is less than "
                                          "in the step before: look at what your program compares "

@@ -28,7 +28,9 @@ std::optional<LawDeviation> missedInStep(const MeasuredPair &own, const Measured
     const PairHit &early = own.inSteps[0];
     const PairHit &late = own.inSteps[1];
     const bool isRight = isAnswered(right.inSteps[0]) && isAnswered(right.inSteps[1]);
-    const auto isMissed = [](const PairHit &hit) { return !hit.answered && !hit.isHeld(); };
+    const auto isMissed = [](const PairHit &hit) {
+        return !hit.answered && !hit.isHeld() && !hit.stopped;
+    };
     const bool isEarly = isAnswered(early) && isMissed(late);
     const bool isLate = isAnswered(late) && isMissed(early);
     if (!isRight || (!isEarly && !isLate))

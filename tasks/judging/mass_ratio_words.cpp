@@ -82,14 +82,20 @@ std::optional<LawDeviation> numberedMasses(const MeasuredPair &own)
 
 namespace {
 
+/// How much faster, m/s, a hit makes two circles part; < 0: come nearer.
+double partedBy(const PairHit &hit)
+{
+    return dot(hit.push2() - hit.push1(), hit.normal);
+}
+
 /// Of what parts two circles, (1 + e) u, what the velocities of both change by, together.
 std::optional<double> sharedPart(const PairHit &hit)
 {
     if (!massRatio(hit) || isOnePushed(hit) || !hit.isAligned())
         return std::nullopt;
     const PairVelocities in = hit.cameParts();
-    return (length(hit.push1()) + length(hit.push2()))
-           / ((1.0 + hit.meeting.restitution) * (in.along1 - in.along2));
+    const double parted = std::copysign(length(hit.push1()) + length(hit.push2()), partedBy(hit));
+    return parted / ((1.0 + hit.meeting.restitution) * (in.along1 - in.along2));
 }
 
 } // namespace
@@ -127,6 +133,21 @@ const PairHit *unsharedHit(const MeasuredPair &own)
     return nullptr;
 }
 
+namespace {
+
+/// That both pushes have the wrong sign, where \p right, m/s, is what they should change together.
+QString drivenTogether(const PairHit &hit, double right)
+{
+    const auto along = [&](Vec2 push) { return brief(dot(push, hit.normal)); };
+    return ResponseText::tr("Along it, from 1 to 2, the velocity of circle 1 changed by %1 m/s and "
+                            "that of circle 2 by %2 m/s, so that they come nearer still faster. A "
+                            "hit takes (1 + e) u = %3 m/s of that, and each circle changes by its "
+                            "share: circle 1 by m₂/(m₁ + m₂) and circle 2 by m₁/(m₁ + m₂) of it.")
+        .arg(along(hit.push1()), along(hit.push2()), brief(right));
+}
+
+} // namespace
+
 LawDeviation unsharedDeviation(const PairHit &hit)
 {
     const Meeting &m = hit.meeting;
@@ -145,9 +166,12 @@ LawDeviation unsharedDeviation(const PairHit &hit)
                          "circle 1 is m₂/(m₁ + m₂) and that of circle 2 m₁/(m₁ + m₂).")
             .arg(brief(push1), brief(push2), briefBeside(push1 + push2, right),
                  briefBeside(right, push1 + push2));
-    LawDeviation found =
-        responseDeviation(ResponseText::tr("The shares of the two circles do not add up to 1"),
-                          scene + QLatin1Char(' ') + change, hit, Suspect::Formula);
+    const bool isTogether = partedBy(hit) < 0.0;
+    LawDeviation found = responseDeviation(
+        isTogether ? ResponseText::tr("Some hits drive the circles towards each other")
+                   : ResponseText::tr("The shares of the two circles do not add up to 1"),
+        scene + QLatin1Char(' ') + (isTogether ? drivenTogether(hit, right) : change), hit,
+        Suspect::Formula);
     found.topic = Topic::Shares;
     return found;
 }

@@ -88,7 +88,8 @@ struct PairHit {
     [[nodiscard]] bool isPutFar() const;
     /// Whether the place of one was set while no velocity changed.
     [[nodiscard]] bool isHeld() const { return moved1 || moved2; }
-    /// Whether its answer puts them far into each other.
+    /// Whether its answer puts them far into each other, farther than they fly in two steps, before
+    /// and after it.
     [[nodiscard]] bool isPutTogether() const;
     /// Whether it was noticed but changed no velocity.
     [[nodiscard]] bool isHeldAlone() const { return isHeld() && !answered; }

@@ -59,7 +59,8 @@ private:
     void findSpeed(const std::optional<PairHit> &own, const std::optional<PairHit> &right,
                    const QString &headline)
     {
-        if (own && right && !own->answered && right->isMet() && answersAny(m_own.equals))
+        if (own && right && !own->answered && !own->stopped && right->isMet()
+            && answersAny(m_own.equals))
             addSpeed(headline, *own, m_own.contacts.front());
     }
 

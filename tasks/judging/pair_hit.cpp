@@ -85,8 +85,10 @@ bool PairHit::isPutFar() const
 
 bool PairHit::isPutTogether() const
 {
-    return answered && after < std::min(0.99 * meeting.sum(), 0.5 * std::min(before, reached))
-           && reached > 0.5 * meeting.sum();
+    const double way = length(left2 - left1) * slowness * stage.preset.timestep;
+    const double near = std::min(before, reached);
+    return answered && after < std::min(0.99 * meeting.sum(), 0.5 * near)
+           && reached > 0.5 * meeting.sum() && near - after > 2.0 * (way + before - reached);
 }
 
 bool PairHit::fits(double distance) const

@@ -21,6 +21,40 @@ public:
     {
         if (!flight(0).isKnown || !right().isKnown || hasPull())
             return std::nullopt;
+        // Who waits until a time is over may do so with the shorter timesteps alone.
+        for (m_at = 0; m_at < m_ground.timesteps.size(); ++m_at) {
+            if (m_at > 0 && isAsAsked())
+                continue;
+            if (auto unlike = judgeSteps())
+                return unlike;
+        }
+        return std::nullopt;
+    }
+
+private:
+    static constexpr int looked = 6; ///< steps of a run
+    static constexpr int shown = 4;  ///< of these
+
+    [[nodiscard]] double timestep() const { return m_ground.timesteps[m_at]; }
+    [[nodiscard]] const Flight &flown() const { return flight(m_at); }
+    [[nodiscard]] const Flight &wantedFlight() const
+    {
+        return m_right.at(gravity(), timestep(), m_i);
+    }
+
+    /// Whether the second step is that of the reference.
+    [[nodiscard]] bool isAsAsked() const
+    {
+        return isAlike(flown().acceleration, wantedFlight().acceleration)
+               && isAlike(flown().growth, wantedFlight().growth)
+               && isAlike(flown().way, wantedFlight().way)
+               && isAlike(flown().drift, wantedFlight().drift, 1e-3 * timestep());
+    }
+
+    [[nodiscard]] std::optional<FlightSaid> judgeSteps()
+    {
+        if (!flown().isKnown || !wantedFlight().isKnown)
+            return std::nullopt;
         m_steps = m_own.firstSteps(gravity(), timestep(), m_i, FirstSteps::Going, looked);
         if (m_steps.size() < shown
             || std::all_of(m_steps.begin() + 1, m_steps.end(),
@@ -30,10 +64,6 @@ public:
         const std::vector<Vec2> turns = offs(false);
         return areUnlike(turns) ? told(turns, false) : told(offs(true), true);
     }
-
-private:
-    static constexpr int looked = 6; ///< steps of a run
-    static constexpr int shown = 4;  ///< of these
 
     /// Whether steps from one and the same start differ, from the second on.
     [[nodiscard]] bool hangsOnKept() const
@@ -54,7 +84,7 @@ private:
     /// Whether the law that the second step tells is that of \p step, too.
     [[nodiscard]] bool follows(const Flight::Step &step) const
     {
-        const Motion next = by(flight(0), step);
+        const Motion next = by(flown(), step);
         return isAlike(step.velocity + step.turn, next.velocity)
                && isAlike(step.way, next.position, 1e-3 * timestep());
     }
@@ -64,7 +94,7 @@ private:
     /// What is right of that after the velocity before \p step.
     [[nodiscard]] Vec2 wanted(const Flight::Step &step, bool isWay) const
     {
-        const Motion next = by(right(), step);
+        const Motion next = by(wantedFlight(), step);
         return isWay ? next.position : next.velocity - step.velocity;
     }
     /// By how much each step is wrong.
@@ -119,15 +149,15 @@ private:
                                                  "%2 s its velocity changes by %3, %4, %5 and %6 "
                                                  "m/s more than is right."),
                           offs);
-        std::vector<Vec2> made;
+        std::vector<Vec2> changes;
         for (const Flight::Step &step : m_steps)
-            made.push_back(seen(step, isWay));
+            changes.push_back(seen(step, isWay));
         return inARow(isWay ? FlightText::tr("Started with %1 m/s, in the first four steps of %2 s "
                                              "it goes %3, %4, %5 and %6 m; %7 m is right in each.")
                             : FlightText::tr("Started with %1 m/s, in the first four steps of %2 s "
                                              "its velocity changes by %3, %4, %5 and %6 m/s; %7 "
                                              "m/s is right in each."),
-                      made)
+                      changes)
             .arg(brief(wanted(m_steps.front(), isWay)));
     }
 
@@ -141,6 +171,7 @@ private:
                                  "next, and at what is asked before these lines.");
         FlightSaid fault = said(FlightText::tr("Not every step of %who is made alike"),
                                 seenSteps(offs, isWay) + QLatin1Char(' ') + look, isWay);
+        fault.moment.stage = flightStage(m_ground, gravity(), timestep());
         fault.moment.step = 1;
         const auto off = std::find_if(offs.begin(), offs.end(),
                                       [&](Vec2 each) { return length(each) > slack(); });
@@ -151,6 +182,7 @@ private:
         return fault;
     }
 
+    std::size_t m_at = 0; ///< the timestep, of those of the checks
     std::vector<Flight::Step> m_steps{};
 };
 

@@ -88,9 +88,11 @@ private:
                                                  Say say) const
     {
         const auto isOdd = [&](std::size_t i) {
-            // Who is put further out has yet to come back: told of where it was put.
-            return m_own.hits[i].*part && !(rightOf(i).*part) && !m_own.hits[i].kicks
-                   && !m_own.hits[i].isPutOut();
+            // Who is put further out, or past another wall, has yet to come back: told of where it
+            // was put.
+            const WallHit &hit = m_own.hits[i];
+            return hit.*part && !(rightOf(i).*part) && !hit.kicks && !hit.isPutOut()
+                   && !hit.isLeap();
         };
         std::vector<LawDeviation> found;
         for (const Whose &each : whose(isOdd)) {

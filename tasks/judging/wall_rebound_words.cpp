@@ -46,8 +46,10 @@ public:
                     true, false};
         if (hit.held)
             return {WallText::tr("Hits at the %walls hold %who and turn no velocity round"),
-                    hit.stays ? WallText::tr("It is put back in every step and runs into it again.")
-                              : WallText::tr("It is put back, and its velocity stays as it was.")};
+                    hit.stays ? WallText::tr("In every step it is kept from going on, and its "
+                                             "velocity still points into it.")
+                              : WallText::tr(
+                                  "It is kept from going on, and its velocity stays as it was.")};
         if (isOfOther(odd))
             return {WallText::tr("At the %walls %who gets the velocity of the other circle"),
                     WallText::tr("The other circle had %1 m/s. Look at whose velocity the line "
