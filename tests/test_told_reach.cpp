@@ -20,6 +20,7 @@ private slots:
     void lengthForTheRadiusIsTold();
     void numberForTheRadiusIsTold();
     void numberIsNoOtherRadius();
+    void whoIsLiftedAtAWallIsNotLetThrough();
 
 private:
     /// In a step with walls that turn a circle at the distance \p reach.
@@ -112,6 +113,34 @@ void TestToldReach::numberIsNoOtherRadius()
                                           : "math.max(circle1.radius, circle2.radius)";
         QVERIFY2(!bodyOfReach(reach, other).isEmpty(), which);
     }
+}
+
+/// A floor that stands 2 m too high lifts a circle that comes to a side wall below it: there no
+/// wall lets it through.
+void TestToldReach::whoIsLiftedAtAWallIsNotLetThrough()
+{
+    const QString program =
+        QStringLiteral("function on_load() circle1.velocity = vec(2, 0) end\n"
+                       "local function turned(p, v, r, low, high)\n"
+                       "  if p - r < low then return low + r, math.abs(v) end\n"
+                       "  if p + r > high then return high - r, -math.abs(v) end\n"
+                       "  return p, v\n"
+                       "end\n"
+                       "function on_update(h)\n"
+                       "  local c = circle1\n"
+                       "  local p, v = c.position + c.velocity * h, c.velocity\n"
+                       "  local x, vx = turned(p.x, v.x, c.radius, square.left, square.right)\n"
+                       "  local y, vy = turned(p.y, v.y, c.radius, square.bottom + 2, square.top)\n"
+                       "  c.position, c.velocity = vec(x, y), vec(vx, vy)\n"
+                       "end\n");
+    const Task &step = task(QStringLiteral("L42T2"));
+    const CheckReport report = *judgeTask(m_lab, step, Submission(step.preset, program), 1);
+    QCOMPARE(report.findings.size(), std::size_t{1});
+    const auto n = numbersIn(report.findings.front().message,
+                             "The radius of circle 1 is # m, and at the floor it turned when its "
+                             "centre was between # and # m from the wall.");
+    QCOMPARE(n.size(), std::size_t{3});
+    QVERIFY(n[1] <= 2.0 + n[0] && n[2] >= 2.0 + n[0] && n[2] - n[1] < 0.1);
 }
 
 QTEST_GUILESS_MAIN(TestToldReach)

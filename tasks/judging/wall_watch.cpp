@@ -83,6 +83,12 @@ void WallRange::watch(WallHit &hit, Probe &probe, bool corner, bool isFirst) con
             continue;
         }
         note(hit, before, now, free, k);
+        // What is moved along a wall before it is there was moved by something else.
+        if (!turned && !corner && std::abs(dot(now.position - free.position, n)) < 1e-7
+            && hit.reached > hit.radius + std::abs(hit.travel)) {
+            hit.missed = true;
+            return;
+        }
         // A wall turns it round, or its rim is there; else something on the way changes it, which
         // may be a hit that stops it.
         const bool isStopped = m_ground.pair.asked && hit.left == Vec2{};
