@@ -26,6 +26,7 @@ private slots:
     void aRightFirstStepIsNotBlamed();
     void aFirstStepOfItsOwnIsTold();
     void stepsThatAlternateAreTold();
+    void aWallIsNoOddStep();
     void stepsThatAreUnlikeAreTold_data();
     void stepsThatAreUnlikeAreTold();
     void timeThatIsSavedUpIsTold();
@@ -336,6 +337,31 @@ void TestToldMotion::aFirstStepOfItsOwnIsTold()
     QVERIFY(isNear(went[2], 0.5 * went[5]));
     QVERIFY(isNear(went[5], went[0] / went[4]));
     QVERIFY(with(way, fall).isEmpty());
+}
+
+/// Who keeps its state itself, goes back to the old place at walls and falls so fast that it comes
+/// to the floor within a few steps: those before are made alike.
+void TestToldMotion::aWallIsNoOddStep()
+{
+    const QString program =
+        QStringLiteral("local s = {}\n"
+                       "function on_load()\n"
+                       "  gravity = vec(0, -9.81)\n"
+                       "  circle1.velocity = vec(2, 0)\n"
+                       "  s.p, s.v = circle1.position, circle1.velocity\n"
+                       "end\n"
+                       "function on_update(h)\n"
+                       "  local old, r = s.p, circle1.radius\n"
+                       "  s.p = s.p + s.v * h\n"
+                       "  s.v = s.v + gravity * h * 60\n"
+                       "  local x = math.abs(s.p.x) > 4 - r and s.p.x * s.v.x > 0\n"
+                       "  local y = math.abs(s.p.y) > 4 - r and s.p.y * s.v.y > 0\n"
+                       "  s.v = vec(x and -s.v.x or s.v.x, y and -s.v.y or s.v.y)\n"
+                       "  if x or y then s.p = old end\n"
+                       "  circle1.position, circle1.velocity = s.p, s.v\n"
+                       "end\n");
+    QVERIFY(bodyOfProgram("L42T3", program, "Not every step").isEmpty());
+    QVERIFY(!bodyOfProgram("L42T3", program, "The velocity of circle 1 gets 60 times").isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestToldMotion)

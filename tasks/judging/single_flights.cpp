@@ -57,11 +57,20 @@ std::vector<Flight::Step> measureFirstSteps(const QString *program, const Ground
 {
     const Preset preset = flightPreset(ground, gravity, h, Scene::First);
     Probe probe(program, {preset, true});
-    const auto isFree = [&](const Circle &c) {
-        return std::max(std::abs(c.position.x), std::abs(c.position.y))
-               < preset.halfWidth - 2.0 * c.radius;
+    const auto isFreeAt = [&](const Circle &c, Vec2 place) {
+        return std::max(std::abs(place.x), std::abs(place.y)) < preset.halfWidth - 2.0 * c.radius;
     };
     std::vector<Flight::Step> steps;
+    // Who is put back at a wall was there: where the steps before would bring it counts, too.
+    const auto isFree = [&](const Circle &before, const Circle &now) {
+        const Vec2 turn = steps.empty() ? Vec2{} : steps.back().turn;
+        const Vec2 way = steps.empty() ? Vec2{} : steps.back().way;
+        const Vec2 more = steps.size() < 2 ? Vec2{} : way - steps[steps.size() - 2].way;
+        return isFreeAt(before, before.position) && isFreeAt(before, now.position)
+               && isFreeAt(before, before.position + h * before.velocity)
+               && isFreeAt(before, before.position + h * (before.velocity + turn))
+               && isFreeAt(before, before.position + way + more);
+    };
     while (probe.runs() && static_cast<int>(steps.size()) < count) {
         if (which == FirstSteps::Repeated) {
             World again = probe.world();
@@ -73,7 +82,7 @@ std::vector<Flight::Step> measureFirstSteps(const QString *program, const Ground
         if (!probe.step())
             break;
         const Circle &now = probe.circle(static_cast<int>(i));
-        if (!isFree(before) || !isFree(now))
+        if (!isFree(before, now))
             break;
         steps.push_back(
             {before.velocity, now.position - before.position, now.velocity - before.velocity});
