@@ -163,7 +163,7 @@ void TestContactWords::faultIsTold_data()
             forget(p.own.contacts[0]);
             forget(p.own.contacts[3]);
         },
-        "Of the 6 meetings that were tried 0 were answered in time, and 2 not at all.");
+        "Of the 6 meetings that were tried 0 were answered in time; in 2 no velocity was changed.");
     row(
         "A hit puts circle 2 somewhere else",
         [](BothPairs &p) {

@@ -105,14 +105,17 @@ void TestPushSize::stepThatItDependsOnIsTold_data()
     };
     QTest::newRow("e times the timestep")
         << text("L42T16") << push("(1 + e * h) * closing / (1 / m1 + 1 / m2)") << timestep
-        << text("left with 0.387 and 0.413 m/s, with 1/10000 s with 0.4 and 0.4 m/s");
+        << text("became 0.387 and 0.413 m/s with a timestep of 1/60 s, and 0.4 and 0.4 m/s with "
+                "1/10000 s");
     QTest::newRow("right with one timestep alone")
         << text("L42T16") << push("(1 + e * h * 60) * closing / (1 / m1 + 1 / m2)") << timestep
-        << text("left with -0.4 and 1.2 m/s, with 1/10000 s with 0.395 and 0.405 m/s");
+        << text("became -0.4 and 1.2 m/s with a timestep of 1/60 s, and 0.395 and 0.405 m/s with "
+                "1/10000 s");
     QTest::newRow("one circle alone")
         << text("L42T12") << text("p.velocity = p.velocity - closing * h * n")
         << text("What a hit does depends on the timestep")
-        << text("left with 1.17 and -0.4 m/s, with 1/10000 s with 1.2 and -0.4 m/s");
+        << text("became 1.17 and -0.4 m/s with a timestep of 1/60 s, and 1.2 and -0.4 m/s with "
+                "1/10000 s");
     QTest::newRow("the overlap over the timestep")
         << text("L42T12") << push("(reach - d:length()) / h") << depth
         << text("left with 0 and 0.8 m/s; where after two thirds, with 0.667 and 0.133 m/s");

@@ -4301,8 +4301,8 @@ Until this is right, no more can be said of walls and hits.</source>
         <translation>عند ⁨%1⁩ وُضع مركز الدائرة ⁨%3⁩ على بعد ⁦%2 m⁩ من الجدار، كما كان عند بدء التشغيل. الموضع القديم هو ما قبل الخطوة: احفظه من جديد في كل خطوة.</translation>
     </message>
     <message>
-        <source>Of the %1 meetings that were tried %2 were answered in time, and %3 not at all.</source>
-        <translation>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في ⁨%2⁩، ولم تأتِ أصلًا في ⁨%3⁩.</translation>
+        <source>Of the %1 meetings that were tried %2 were answered in time; in %3 no velocity was changed.</source>
+        <translation>من اللقاءات المجرّبة، وعددها ⁨%1⁩، جاءت الاستجابة في وقتها في ⁨%2⁩، ولم تتغيّر أي سرعة في ⁨%3⁩.</translation>
     </message>
     <message>
         <source>Some meetings are answered before they touch, others too late</source>
@@ -5545,8 +5545,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>التقت دائرتان متساويتان وجهًا لوجه بـ %1 و %2 m/s.</translation>
     </message>
     <message>
-        <source>With a timestep of %1 s they left with %2, with %3 s with %4; %5 are right.</source>
-        <translation>بخطوة زمنية %1 s خرجتا بـ %2، وبـ %3 s خرجتا بـ %4؛ والصحيح %5.</translation>
+        <source>In the step of the hit their velocities became %2 with a timestep of %1 s, and %4 with %3 s; %5 are right.</source>
+        <translation>في خطوة التصادم صارت سرعتاهما %2 بخطوة زمنية %1 s، و%4 بخطوة %3 s؛ والصحيح %5.</translation>
     </message>
     <message>
         <source>A hit takes no time: look at where the timestep comes into what it does.</source>

@@ -4257,8 +4257,8 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
         <translation>An %1 wurde der Mittelpunkt von Kreis %3 auf %2 m von der Wand gesetzt, so weit, wie er bei Beginn des Laufs war. Der alte Ort ist der vor dem Schritt: Merke ihn dir in jedem Schritt neu.</translation>
     </message>
     <message>
-        <source>Of the %1 meetings that were tried %2 were answered in time, and %3 not at all.</source>
-        <translation>Von den %1 versuchten Begegnungen wurden %2 rechtzeitig beantwortet und %3 gar nicht.</translation>
+        <source>Of the %1 meetings that were tried %2 were answered in time; in %3 no velocity was changed.</source>
+        <translation>Von den %1 versuchten Begegnungen wurden %2 rechtzeitig beantwortet; in %3 wurde keine Geschwindigkeit geändert.</translation>
     </message>
     <message>
         <source>Some meetings are answered before they touch, others too late</source>
@@ -5469,8 +5469,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Zwei gleiche Kreise trafen sich frontal mit %1 und %2 m/s.</translation>
     </message>
     <message>
-        <source>With a timestep of %1 s they left with %2, with %3 s with %4; %5 are right.</source>
-        <translation>Mit einem Zeitschritt von %1 s gingen sie mit %2 weg, mit %3 s mit %4; %5 sind richtig.</translation>
+        <source>In the step of the hit their velocities became %2 with a timestep of %1 s, and %4 with %3 s; %5 are right.</source>
+        <translation>Im Schritt des Stoßes wurden ihre Geschwindigkeiten %2 bei einem Zeitschritt von %1 s und %4 bei %3 s; %5 sind richtig.</translation>
     </message>
     <message>
         <source>A hit takes no time: look at where the timestep comes into what it does.</source>

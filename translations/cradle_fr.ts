@@ -4257,8 +4257,8 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
         <translation>Contre %1, le centre du cercle %3 a été placé à %2 m de la paroi, aussi loin qu&apos;au début de l&apos;exécution. L&apos;ancienne position est celle d&apos;avant le pas&#xa0;: conservez-la de nouveau à chaque pas.</translation>
     </message>
     <message>
-        <source>Of the %1 meetings that were tried %2 were answered in time, and %3 not at all.</source>
-        <translation>Sur les %1 rencontres essayées, %2 ont reçu une réponse à temps et %3 n&apos;en ont reçu aucune.</translation>
+        <source>Of the %1 meetings that were tried %2 were answered in time; in %3 no velocity was changed.</source>
+        <translation>Sur les %1 rencontres essayées, %2 ont reçu une réponse à temps&#xa0;; dans %3, aucune vitesse n&apos;a changé.</translation>
     </message>
     <message>
         <source>Some meetings are answered before they touch, others too late</source>
@@ -5469,8 +5469,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Deux cercles égaux se sont rencontrés de front avec %1 et %2 m/s.</translation>
     </message>
     <message>
-        <source>With a timestep of %1 s they left with %2, with %3 s with %4; %5 are right.</source>
-        <translation>Avec un pas de temps de %1 s, ils sont repartis avec %2, avec %3 s avec %4&#xa0;; %5 sont justes.</translation>
+        <source>In the step of the hit their velocities became %2 with a timestep of %1 s, and %4 with %3 s; %5 are right.</source>
+        <translation>Dans le pas du choc, leurs vitesses sont devenues %2 avec un pas de temps de %1 s, et %4 avec %3 s&#xa0;; %5 sont justes.</translation>
     </message>
     <message>
         <source>A hit takes no time: look at where the timestep comes into what it does.</source>

@@ -81,9 +81,19 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         return steady;
     if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
         return alongWall(axis, change);
-    if (std::abs(after) > mostBack * std::abs(kept))
+    if (std::abs(after) > mostBack * std::abs(kept) || isOfAnother())
         return motion::changedInOpen(o, circle, step, gravity);
     return fault(beforeTouching(o, circle, step, ahead), kept, after);
+}
+
+bool Turn::isOfAnother() const
+{
+    for (int j = 0; j < o.circleCount(); ++j) {
+        const double change = quickLength(motion::kick(o, j, step, gravity));
+        if (j != circle && change > tolerance * (1.0 + quickLength(o.circle(j, step).velocity)))
+            return true;
+    }
+    return false;
 }
 
 std::optional<Fault> turnBeforeWall(const Observation &o, int i, qint64 k, Vec2 gravity)

@@ -33,6 +33,9 @@ struct Turn {
 private:
     /// Whether the way of one step, along its normal, takes the rim to that wall, or the step did.
     [[nodiscard]] bool reaches(Wall wall) const;
+    /// Whether another circle, too, is changed in that step: then they may have answered each
+    /// other.
+    [[nodiscard]] bool isOfAnother() const;
     /// Judges a bounce off \p wall: v_n' = −e v_n, with gravity's part of the step before or after
     /// it.
     [[nodiscard]] std::optional<Fault> faultAt(Wall wall) const;

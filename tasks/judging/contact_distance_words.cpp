@@ -237,7 +237,7 @@ private:
         if (missed > 0)
             body += QLatin1Char(' ')
                     + ContactText::tr("Of the %1 meetings that were tried %2 were answered in "
-                                      "time, and %3 not at all.")
+                                      "time; in %3 no velocity was changed.")
                           .arg(m_own.contacts.size())
                           .arg(inTime)
                           .arg(missed);

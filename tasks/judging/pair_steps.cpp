@@ -113,8 +113,8 @@ LawDeviation timestepDeviation(const MeasuredPair &own, const MeasuredPair &righ
         isPush ? ResponseText::tr("The push has a wrong size that depends on the timestep")
                : ResponseText::tr("What a hit does depends on the timestep"),
         cameTogether(usual, !own.rebounds.empty()) + QLatin1Char(' ')
-            + ResponseText::tr("With a timestep of %1 s they left with %2, with %3 s with %4; %5 "
-                               "are right.")
+            + ResponseText::tr("In the step of the hit their velocities became %2 with a timestep "
+                               "of %1 s, and %4 with %3 s; %5 are right.")
                   .arg(briefTimestep(usual.stage.preset.timestep), leftBeside(usual, brief),
                        briefTimestep(brief.stage.preset.timestep), leftBeside(brief, usual),
                        leftBeside(right.inSteps[0], usual))
