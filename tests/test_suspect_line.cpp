@@ -110,7 +110,7 @@ void TestSuspectLine::linesOfMassesComeFirst()
                                                  .last = 7,
                                                  .aspect = Aspect::Response,
                                                  .mending = {}});
-    QCOMPARE(QTest::toString(lines), QTest::toString(std::vector<int>{2, 6, 4, 3, 7}));
+    QCOMPARE(lines, (std::vector<int>{2, 6, 4, 3, 7}));
 }
 
 QTEST_GUILESS_MAIN(TestSuspectLine)

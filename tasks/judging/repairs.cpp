@@ -58,7 +58,7 @@ void RepairList::replaceInLike(int line, qsizetype from, qsizetype to, const QSt
     const QString &source = m_program.source();
     const qsizetype start = m_program.startOf(line);
     const qsizetype end = start + m_program.row(line).size();
-    qsizetype open = from;
+    qsizetype open = std::min(from, source.size() - 1); // it may stand at the very end
     for (int depth = 0; open >= start; --open) {
         depth += source[open] == QLatin1Char(')') && open < from ? 1 : 0;
         if (source[open] == QLatin1Char('(') && depth-- == 0)
