@@ -23,20 +23,10 @@ constexpr double factorBlur = 0.02; ///< of a push: the line of centres turns a 
 
 HitAtMoment::HitAtMoment(const QString &program, const QString &reference, const Moment &moment)
     : m_moment(moment)
-    , m_before(after(program, moment.step - 1))
-    , m_own(after(program, moment.step))
-    , m_right(reference.isEmpty() ? std::nullopt : after(reference, moment.step))
+    , m_before(worldAfter(program, moment.stage, moment.step - 1))
+    , m_own(worldAfter(program, moment.stage, moment.step))
+    , m_right(reference.isEmpty() ? std::nullopt : worldAfter(reference, moment.stage, moment.step))
 {
-}
-
-std::optional<World> HitAtMoment::after(const QString &program, qint64 steps) const
-{
-    Probe probe(&program, m_moment.stage, true);
-    for (qint64 k = 0; k < steps; ++k) {
-        if (!probe.step())
-            return std::nullopt;
-    }
-    return probe.runs() ? std::optional(probe.world()) : std::nullopt;
 }
 
 Vec2 HitAtMoment::offOf(int circle) const

@@ -26,7 +26,6 @@ public:
     [[nodiscard]] std::optional<double> timesRight() const;
 
 private:
-    [[nodiscard]] std::optional<World> after(const QString &program, qint64 steps) const;
     [[nodiscard]] Vec2 offOf(int circle) const;
 
     const Moment &m_moment;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tasks/judging/program_functions.h"
+#include "tasks/judging/known_values.h"
 #include "tasks/judging/ran_lines.h"
-#include "tasks/judging/scene_quantities.h"
+#include "tasks/judging/value_solver.h"
 
 #include <functional>
-#include <optional>
+#include <set>
 #include <vector>
 
 namespace cradle {
@@ -31,34 +31,18 @@ public:
     [[nodiscard]] bool knows(int line) const;
 
 private:
-    using Numbers = std::vector<double>;
-
     [[nodiscard]] std::set<int> suspects() const;
     [[nodiscard]] std::vector<int> placeOf(int line, int depth) const;
     [[nodiscard]] std::vector<TokenRange> valuesAt(int line) const;
     [[nodiscard]] bool isHandingOn(int line) const;
-    [[nodiscard]] Known kindOf(int line, const TokenRange &value) const;
-    [[nodiscard]] bool isKnown(int line, const std::vector<TokenRange> &values) const;
-    [[nodiscard]] bool mends(const std::vector<TokenRange> &values) const;
-    [[nodiscard]] QString changed(const std::vector<TokenRange> &values, const Numbers &by) const;
-    /// What is wrong after the moment, where each is 0 if it is right; nothing if it stops.
-    [[nodiscard]] std::optional<Numbers> offOf(const QString &program) const;
-    [[nodiscard]] static std::optional<World> after(const QString &program, const Stage &stage,
-                                                    qint64 steps);
-    [[nodiscard]] static Stage otherThan(const Stage &stage);
 
     const ProgramLines &m_program;
-    const Moment &m_moment;
     const RanLines &m_ran;
     Aspect m_aspect;
-    std::function<bool(int)> m_isSound;
     std::vector<ProgramAssignment> m_assignments;
     std::vector<ProgramFunction> m_functions;
-    Stage m_other;
-    std::optional<World> m_right;
-    std::optional<World> m_own;
-    std::optional<World> m_before;
-    std::optional<World> m_otherBefore;
+    ValueSolver m_solver;
+    KnownValues m_known;
 };
 
 } // namespace cradle

@@ -49,4 +49,14 @@ std::vector<int> Probe::lines()
                                     : std::vector<int>{};
 }
 
+std::optional<World> worldAfter(const QString &program, const Stage &stage, qint64 steps)
+{
+    Probe probe(&program, stage, true);
+    for (qint64 k = 0; k < steps; ++k) {
+        if (!probe.step())
+            return std::nullopt;
+    }
+    return probe.runs() ? std::optional(probe.world()) : std::nullopt;
+}
+
 } // namespace cradle

@@ -60,4 +60,8 @@ private:
     Runner m_run;
 };
 
+/// The circles after so many steps of a program that is looked at once; nothing if it stops.
+[[nodiscard]] std::optional<World> worldAfter(const QString &program, const Stage &stage,
+                                              qint64 steps);
+
 } // namespace cradle

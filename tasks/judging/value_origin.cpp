@@ -148,12 +148,7 @@ bool ValueOrigin::differs(const Wrong &part, const World &a, const World &b) con
 
 std::optional<World> ValueOrigin::endOf(const QString &program, qint64 step) const
 {
-    Probe probe(&program, m_moment.stage, true);
-    for (qint64 k = 0; k < step; ++k) {
-        if (!probe.step())
-            return std::nullopt;
-    }
-    return probe.runs() ? std::optional(probe.world()) : std::nullopt;
+    return worldAfter(program, m_moment.stage, step);
 }
 
 std::vector<ValueOrigin::Wrong> ValueOrigin::wrongParts(const std::optional<World> &theirs) const
