@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/fault_lines.h"
 
-#include "tasks/judging/applied_values.h"
 #include "tasks/judging/flight_words.h"
 #include "tasks/judging/line_at_fault.h"
 #include "tasks/judging/line_guess.h"
@@ -139,12 +138,8 @@ int FaultLines::likelyLine(const Finding &finding, const LawDeviation &deviation
                || (values && values->knows(line));
     };
     const auto hit = [&] { return HitAtMoment(script, m_task.solution, deviation.moment); };
-    const int line =
-        guessedLine(script, deviation, ran, {finding.line, workedOut, finding.calls, hit, isSound});
-    if (line <= 0 || deviation.suspect == Suspect::Kept)
-        return line;
-    return AppliedValues(sound.program(), ran, finding.calls, deviation, isSound)
-        .originOf(line, isOfQuestion(deviation.suspect));
+    return guessedLine(script, deviation, ran,
+                       {finding.line, workedOut, finding.calls, hit, isSound});
 }
 
 int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, int last,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tasks/judging/deviation.h"
 #include "tasks/judging/probe.h"
 #include "tasks/judging/program_functions.h"
 #include "tasks/judging/scene_quantities.h"
