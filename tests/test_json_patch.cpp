@@ -157,6 +157,9 @@ void TestJsonPatch::changesOnePlace_data()
     row("a list on one line", "{\"a\": [1,2]}", R"({"a": [1, 2, 3]})", "{\"a\": [1,2,3]}");
     row("a deep list that begins is on one line", "{\"a\": {\"b\": []}}",
         R"({"a": {"b": ["x", "y"]}})", "{\"a\": {\"b\": [\"x\", \"y\"]}}");
+    row("lists within that line are on it, too", "{\"a\": {\"b\": []}}",
+        R"({"a": {"b": [[["x"], {"c": [[1], ["y"]]}]]}})",
+        "{\"a\": {\"b\": [[[\"x\"], {\"c\": [[1], [\"y\"]]}]]}}");
     row("a list on lines", "{\n  \"a\": [\n    \"x\",\n    \"y\"\n  ]\n}\n",
         R"({"a": ["x", "new", "y"]})",
         "{\n  \"a\": [\n    \"x\",\n    \"new\",\n    \"y\"\n  ]\n}\n");

@@ -31,8 +31,6 @@ private slots:
     void refusesPathsThatLeaveTheLab();
     void refusesToWriteThroughALink();
     void unwritableFolderIsSaid();
-    void pictureIsJudgedByItsHeader_data();
-    void pictureIsJudgedByItsHeader();
     void copiesShareTheirFiles();
     void stepAloneLeavesTheOthersOut();
 };
@@ -42,14 +40,6 @@ namespace {
 qint64 modified(const QString &path)
 {
     return QFileInfo(path).lastModified().toMSecsSinceEpoch();
-}
-
-QByteArray pngHeader(quint32 width, quint32 height)
-{
-    const auto number = [](quint32 n) {
-        return QByteArray::fromHex(QByteArray::number(n, 16).rightJustified(8, '0'));
-    };
-    return QByteArray("\x89PNG\r\n\x1a\n") + number(13) + "IHDR" + number(width) + number(height);
 }
 
 } // namespace
@@ -256,32 +246,6 @@ void TestLabFiles::unwritableFolderIsSaid()
     QVERIFY(error);
     // What stands in the way is named, or what could not be made.
     QVERIFY2(!error->file.isEmpty() && inside.startsWith(error->file), qPrintable(error->file));
-}
-
-void TestLabFiles::pictureIsJudgedByItsHeader_data()
-{
-    QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<bool>("right");
-    const QByteArray jpeg = QByteArray::fromHex("ffd8ffe000104a46494600010100000100010000"
-                                                "ffc0001108");
-    QTest::newRow("png") << pngHeader(1920, 1080) << true;
-    QTest::newRow("png bomb") << pngHeader(60'000, 60'000) << false;
-    QTest::newRow("png, all bits") << pngHeader(0xffffffff, 0xffffffff) << false;
-    QTest::newRow("png cut short") << pngHeader(60'000, 60'000).left(18) << true;
-    QTest::newRow("jpeg") << jpeg + QByteArray::fromHex("04380780") << true;
-    QTest::newRow("jpeg bomb") << jpeg + QByteArray::fromHex("ffffffff") << false;
-    QTest::newRow("gif") << QByteArray("GIF89a\x40\x01\xf0", 9) + '\0' << true;
-    QTest::newRow("gif bomb") << QByteArray("GIF89a\xff\xff\xff\xff") << false;
-    QTest::newRow("text that begins like a BMP")
-        << QByteArray("BMX bikes have wheels of 20 inches") << true;
-    QTest::newRow("empty") << QByteArray() << true;
-}
-
-void TestLabFiles::pictureIsJudgedByItsHeader()
-{
-    QFETCH(QByteArray, content);
-    QFETCH(bool, right);
-    QCOMPARE(faultOfPicture(content).isEmpty(), right);
 }
 
 /// An undo keeps many states of a lab: they must cost little.

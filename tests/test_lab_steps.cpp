@@ -203,6 +203,12 @@ void TestLabSteps::labIsNamed()
     QCOMPARE(labForm(lab)->title, text("Another"));
     QCOMPARE(labForm(lab, text("de"))->title, text("Ein anderes"));
     QCOMPARE(readLab(lab, text("lab"), text("de"))->title, text("Ein anderes"));
+    // What is not said has no member.
+    form.version.clear();
+    form.language.clear();
+    TAKE(lab, withLab(lab, form));
+    const QByteArray written = lab.contents.value(text("lab.json"));
+    QVERIFY2(!written.contains("version") && !written.contains("language"), written);
     form.id = text("no id");
     QVERIFY(!withLab(lab, form));
 }

@@ -29,6 +29,7 @@ private slots:
     void densityInTheSpeedIsTold();
     void whoIsHeldBesideAWallIsNotTurned();
     void whoStopsInACornerIsTold();
+    void wallThatAsksForAnotherIsNoneThatAsksForNothing();
 
 private:
     [[nodiscard]] std::vector<LawDeviation> found(const QString &walls, const char *step) const
@@ -267,6 +268,26 @@ void TestToldWhoseWalls::whoStopsInACornerIsTold()
                                            "c.velocity.y * came.y < 0 then "
                                            "c.velocity = vec(0, 0) end");
     QVERIFY(!body(walls, "L42T2", "In a corner the velocity of circle 1 is lost").isEmpty());
+}
+
+/// The floor asks where the other circle is, and the right wall nothing.
+void TestToldWhoseWalls::wallThatAsksForAnotherIsNoneThatAsksForNothing()
+{
+    QString walls = wallsOf(wallWays[0], "c.radius", "1");
+    walls
+        .replace(QLatin1String("math.abs(s) > room"),
+                 QLatin1String("math.abs(place(s, was)) > room and not (was == old.x and v > 0)"))
+        .prepend(QLatin1String(
+            "local other = c.index == 2 and circle1 or circle2 local function place(s, was) "
+            "return was == old.y and c.velocity.y < 0 and other.position.y or s end "));
+    QCOMPARE(
+        LawBench::headlines(found(walls, "L42T12")),
+        QStringList({QStringLiteral("Beside a wall the velocity of both circles changes at once"),
+                     QStringLiteral("At the floor the place of circle 2 is asked for, not "
+                                    "that of circle 1"),
+                     QStringLiteral("At the floor the place of circle 1 is asked for, not "
+                                    "that of circle 2"),
+                     QStringLiteral("At the right wall both circles went out")}));
 }
 
 QTEST_GUILESS_MAIN(TestToldWhoseWalls)
