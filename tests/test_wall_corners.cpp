@@ -50,6 +50,29 @@ void TestWallCorners::finding_data()
                                             "if turned ~= v then "
                                             "c.position, c.velocity = old, turned end")
                            << "";
+    // Each wall turns its own part alone; who is turned by one of both is by the other a step
+    // later.
+    const QString lost = QStringLiteral("In a corner the velocity of circle 1 is lost");
+    for (const auto &[both, headline] :
+         {std::pair("-v.x, -v.y", QString()), std::pair("-v.x, v.y", QString()),
+          std::pair("v.x, -v.y", QString()), std::pair("-v.x, 0 * v.y", QString()),
+          std::pair("0 * v.x, -v.y", QString()), std::pair("0, v.y", QString()),
+          std::pair("0, 0", lost), std::pair("-0.009 * v.x, -0.009 * v.y", lost),
+          std::pair("-0.011 * v.x, -0.011 * v.y", QString())})
+        QTest::addRow("turned into %s", both)
+            << "L42T2"
+            << program(none, "local turned = v "
+                             "if p.x - r < square.left and v.x < 0 or "
+                             "p.x + r > square.right and v.x > 0 then "
+                             "turned = vec(-turned.x, turned.y) end "
+                             "if p.y - r < square.bottom and v.y < 0 or "
+                             "p.y + r > square.top and v.y > 0 then "
+                             "turned = vec(turned.x, -turned.y) end "
+                             "if turned.x ~= v.x and turned.y ~= v.y then turned = vec(BOTH) end "
+                             "if turned ~= v then "
+                             "c.position, c.velocity = old, turned end")
+                   .replace(QLatin1String("BOTH"), QLatin1String(both))
+            << headline;
     // Who asks whether the rim has crossed the wall in this step does not ask again.
     QTest::newRow("the second from the velocity before")
         << "L42T2"
