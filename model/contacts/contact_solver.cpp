@@ -162,7 +162,7 @@ private:
         constexpr double infinity = std::numeric_limits<double>::infinity();
         const std::size_t n = m_changes.size();
         double push = 0.0;
-        while (true) {
+        for (;;) {
             // What a unit push at i takes from those of the set, and gives i itself.
             std::vector<double> column(n);
             for (std::size_t k = 0; k < n; ++k)

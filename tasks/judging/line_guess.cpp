@@ -235,7 +235,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     if (deviation.topic == Topic::Restitution)
         special = withRestitution(special, rows, lines);
     // What is known to be right is no wrong formula.
-    while (true) {
+    for (;;) {
         const bool isAmong = std::find(special.begin(), special.end(), acting) != special.end();
         const int formula = isAmong ? formulaIn(leadingTo(acting, special, lines), rows, acting)
                                     : formulaIn(special, rows, 0);

@@ -83,7 +83,7 @@ void addAssignments(std::vector<ProgramAssignment> &all, const ProgramLines &pro
 std::size_t afterExpression(const ProgramLines &program, std::size_t i)
 {
     std::size_t at = i;
-    while (true) {
+    for (;;) {
         while (isOneOf(program, at, {"-", "not", "#"}))
             ++at;
         const std::size_t next =
