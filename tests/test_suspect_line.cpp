@@ -19,6 +19,8 @@ private slots:
     void lineMovesTheCircleThatIsWrong_data();
     void lineMovesTheCircleThatIsWrong();
     void linesOfMassesComeFirst();
+    void linesOfTheStartAreThoseThatChoose_data();
+    void linesOfTheStartAreThoseThatChoose();
 };
 
 namespace {
@@ -111,6 +113,60 @@ void TestSuspectLine::linesOfMassesComeFirst()
                                                  .aspect = Aspect::Response,
                                                  .mending = {}});
     QCOMPARE(lines, (std::vector<int>{2, 6, 4, 3, 7}));
+}
+
+/// A method or a circle, which decides how something moves.
+void TestSuspectLine::linesOfTheStartAreThoseThatChoose_data()
+{
+    QTest::addColumn<QString>("row");
+    QTest::addColumn<bool>("chooses");
+    const auto row = [](const char *text, bool chooses) {
+        QTest::newRow(text) << QString::fromLatin1(text) << chooses;
+    };
+    row("local move = verlet", true);
+    row("local ways = {verlet, 2}", true);
+    row("local made = verlet (2)", false);
+    row("local way = verletOf", false);
+    row("local way = 'verlet'", true);
+    row("local way = \"verlet\"", true);
+    row("local exact = true", true);
+    row("local exact = false", true);
+    row("local first = circle1", true);
+    row("local second = circle2", true);
+    row("local third = circle3", false);
+    row("local count = 3", false);
+    row("local make = other", false);
+}
+
+void TestSuspectLine::linesOfTheStartAreThoseThatChoose()
+{
+    QFETCH(QString, row);
+    QFETCH(bool, chooses);
+    const QString program = QStringLiteral("local function verlet(c) return c end\n"
+                                           "local list = each(function(c) return c end)\n"
+                                           "%1\n"
+                                           "function on_update(h)\n"
+                                           "  %1\n"
+                                           "  circle1.position = circle1.position + h * way\n"
+                                           "end\n")
+                                .arg(row);
+    const Moment moment;
+    const RanLines ran{.now = {6}, .before = {}};
+    const auto lines = [&](Aspect aspect) {
+        return suspectLines({.program = program,
+                             .reference = program,
+                             .moment = moment,
+                             .ran = ran,
+                             .suspect = Suspect::Formula,
+                             .last = 6,
+                             .aspect = aspect,
+                             .mending = {}});
+    };
+    QCOMPARE(lines(Aspect::Motion), chooses ? std::vector<int>({6, 3}) : std::vector<int>({6}));
+    // A number may be wrong in a hit, a choice not.
+    const bool isNumber = row.endsWith(QLatin1String("= 3"));
+    QCOMPARE(lines(Aspect::Contact),
+             isNumber ? std::vector<int>({3, 5, 6}) : std::vector<int>({6}));
 }
 
 QTEST_GUILESS_MAIN(TestSuspectLine)
