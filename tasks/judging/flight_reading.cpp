@@ -62,7 +62,6 @@ void readLate(Flight &flight, const Steps &first, const Steps &late, std::size_t
     flight.isTimeless = areSame(first, late, i);
     flight.lateWay = late.after[i].position - late.before[i].position;
     flight.lateVelocity = late.before[i].velocity;
-    flight.firstWay = first.before[i].position - first.start[i].position;
     flight.lateFirstWay = late.before[i].position - late.start[i].position;
 }
 
