@@ -34,6 +34,7 @@ private:
     {
         LawProgram program = withHit(hit);
         program.start = QStringLiteral("left, pushed = 0, vec(0, 0)");
+        program.walls = wallsOf(wallWays[0]);
         return written(program, structures[3]);
     }
 };
@@ -155,6 +156,14 @@ void TestSpreadPush::otherLawsAreNoSpreadPush_data()
         "p.velocity, q.velocity = p.velocity - closing * n, q.velocity + closing * n", "true");
     row("as long as they come nearer", inPlace,
         "p.velocity, q.velocity = p.velocity - 0.3 * n, q.velocity + 0.3 * n");
+    // Walls bring them back, still in each other, so that they are hit again.
+    row("far too much", inPlace,
+        "p.velocity, q.velocity = p.velocity - 300 * closing * n, "
+        "q.velocity + 300 * closing * n");
+    QTest::newRow("each of two steps more than all of it")
+        << inParts(2).replace(QLatin1String("closing / 2"), QLatin1String("closing * 1.5"));
+    QTest::newRow("nothing is left for the second of two steps")
+        << inParts(2).replace(QLatin1String("closing / 2"), QLatin1String("closing * 1.2"));
 }
 
 void TestSpreadPush::otherLawsAreNoSpreadPush()

@@ -202,9 +202,9 @@ PairHit PairRange::meet(const Meeting &meeting, double distance, double aim, dou
     return hit;
 }
 
-bool PairRange::isNearWall(const Circle &c)
+bool PairRange::isNearWall(const Circle &c, double way)
 {
-    return std::max(std::abs(c.position.x), std::abs(c.position.y)) > 3.7 - c.radius;
+    return std::max(std::abs(c.position.x), std::abs(c.position.y)) + way > 3.7 - c.radius;
 }
 
 void PairRange::note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe, int k,

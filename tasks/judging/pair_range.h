@@ -118,7 +118,7 @@ private:
     [[nodiscard]] PairHit meet(const Meeting &meeting, double distance, double aim, double h,
                                int most = 400) const;
 
-    static bool isNearWall(const Circle &c);
+    static bool isNearWall(const Circle &c, double way = 0.0);
 
     void note(PairHit &hit, const std::vector<Circle> &before, const Probe &probe, int k,
               Vec2 gravity = {}) const;

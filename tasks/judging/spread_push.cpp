@@ -21,12 +21,17 @@ double closingAlong(Vec2 n, Vec2 v1, Vec2 v2)
     return dot(v1 - v2, n);
 }
 
-/// Whether the first step with a push leaves the circles as it should.
+/// Whether the first step with a push leaves the circles as it should, or pushes them even more:
+/// then nothing is left for later ones.
 bool isDoneAtOnce(const SpreadPush &spread, const PairHit &right)
 {
     const PairHit &first = spread.first;
+    const auto isWhole = [](Vec2 push, Vec2 asked) {
+        return dot(push, asked) > (1.0 - rightAtOnce) * dot(asked, asked);
+    };
     return length(first.left1 - right.left1) + length(first.left2 - right.left2)
-           < rightAtOnce * length(first.came1 - first.came2);
+               < rightAtOnce * length(first.came1 - first.came2)
+           || (isWhole(first.push1(), right.push1()) && isWhole(first.push2(), right.push2()));
 }
 
 } // namespace
@@ -55,6 +60,10 @@ std::optional<SpreadPush> PairRange::spread(const PairHit &model) const
         const Vec2 now2 = probe.circle(1).velocity;
         if (length(now1 - free1) + length(now2 - free2) < least)
             continue;
+        // What a wall turned in the same step is no push of theirs.
+        if (isNearWall(before[0], length(now1) * m_h)
+            || isNearWall(before[1], length(now2) * m_h))
+            break;
         const double closing = closingAlong(n, free1, free2);
         const double turned = closing - closingAlong(n, now1, now2);
         if (!spread) {
