@@ -119,6 +119,8 @@ void TestFlightLaw::faultIsNamed_data()
         text("The whole step of circle 2 is made as with 0.5 Δt"));
     row("L42T7", "two steps at once", "2 * c.velocity * h + 3 * gravity * h * h", "2 * gravity * h",
         text("The whole step of both circles is made as with 2 Δt"));
+    row("L42T7", "two methods at once", "2 * c.velocity * h + 1.5 * gravity * h * h",
+        "2 * gravity * h", text("A step of both circles does 2 times what it should"));
     row("L42T7", "no step of one", "(c.index == 2 and 0 or 1) * c.velocity * h",
         "(c.index == 2 and 0 or 1) * gravity * h",
         text("In free flight a step leaves circle 2 as it was"));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Cradle authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/flight_words.h"
+#include "tasks/judging/judgement.h"
 
 #include "tests/scenes.h"
 #include "tests/told_numbers.h"
@@ -19,6 +20,8 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void velocityThatIsSetIsTold_data();
     void velocityThatIsSetIsTold();
+    void startThatIsNotTakenOverIsTold_data();
+    void startThatIsNotTakenOverIsTold();
     void velocitiesThatAreExchangedAreTold();
     void velocityOfAnotherIsTold();
     void slowOnesThatStopAreTold();
@@ -98,6 +101,74 @@ void TestToldCarried::velocityThatIsSetIsTold()
     QVERIFY(std::isnan(made.x) ? isNear(n[2], n[0]) : isNear(n[2], made.x));
     QVERIFY(std::isnan(made.y) ? isNear(n[3], n[1] - 9.81 / 60.0) : isNear(n[3], made.y));
     QVERIFY(!isNear(Vec2{n[0], n[1]}, Vec2{n[2], n[3]}));
+}
+
+/// Of a program with a place and a velocity of its own, in a step with gravity and in one without.
+void TestToldCarried::startThatIsNotTakenOverIsTold_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("begins");   ///< its place and velocity
+    QTest::addColumn<QString>("velocity"); ///< of the next step, which goes by the one before
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<int>("line");
+    const auto row = [](const char *step, const char *begins, const char *velocity,
+                        const char *headline, int line) {
+        QTest::addRow("%s, %s, %s", step, begins, velocity)
+            << QString::fromLatin1(step) << QString::fromLatin1(begins)
+            << QString::fromLatin1(velocity) << QString::fromLatin1(headline) << line;
+    };
+    const char *place = "s.p = circle1.position\ns.v = ";
+    const char *velocity = "The velocity of circle 1 at the start is not taken over";
+    const char *goesOn = "s.v + gravity * h";
+    const auto with = [&](const char *v) { return QByteArray(place) + v; };
+    row("L42T3", with("vec(0, 0)"), goesOn, velocity, 4);
+    row("L42T3", with("vec(2, 0)"), goesOn, velocity, 4);
+    row("L42T3", with("vec(circle1.velocity.x, 0)"), goesOn,
+        "The velocity of circle 1 at the start is not taken over whole", 0);
+    row("L42T2", with("vec(2, 0)"), goesOn, velocity, 4);
+    row("L42T3", "s.p = vec(0, 0)\ns.v = circle1.velocity", goesOn,
+        "The place of circle 1 at the start is not taken over", 3);
+    const char *anew = "The velocity of circle 1 is set anew in every step";
+    row("L42T3", with("circle1.velocity"), "vec(2, -1)", anew, 0);
+    row("L42T3", with("circle1.velocity"), "vec(2, 0) + gravity * h", anew, 0);
+    row("L42T2", with("circle1.velocity"), "vec(2, -1)", anew, 0);
+}
+
+void TestToldCarried::startThatIsNotTakenOverIsTold()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, begins);
+    QFETCH(QString, velocity);
+    QFETCH(QString, headline);
+    QFETCH(int, line);
+    const QString program = QStringLiteral(R"lua(local s = {}
+function on_load()
+%1
+end
+function on_update(h)
+local was, limit = s.p, square.half_width - circle1.radius
+s.p = s.p + s.v * h
+s.v = %2
+if math.abs(s.p.x) > limit and s.p.x * s.v.x > 0 then
+s.p, s.v = was, vec(-s.v.x, s.v.y)
+end
+if math.abs(s.p.y) > limit and s.p.y * s.v.y > 0 then
+s.p, s.v = was, vec(s.v.x, -s.v.y)
+end
+circle1.position, circle1.velocity = s.p, s.v
+end
+)lua")
+                                .arg(begins, velocity);
+    const Task &of = task(step);
+    const CheckReport report = *judgeTask(m_lab, of, Submission(of.preset, program), 1);
+    const auto told =
+        std::find_if(report.findings.begin(), report.findings.end(), [&](const Finding &each) {
+            return each.message.startsWith(headline + QLatin1Char('\n'));
+        });
+    QVERIFY2(told != report.findings.end(),
+             report.findings.empty() ? "nothing" : qPrintable(report.findings[0].message));
+    if (line > 0)
+        QCOMPARE(told->line, line);
 }
 
 /// Each has what the other had, with gravity added.

@@ -18,6 +18,8 @@ private slots:
     void wayOfAStepIsTold();
     void whoMovesInTheOwnSceneAloneIsTold();
     void aPartThatIsBrakedBlursNoOther();
+    void ofWallsNoFirstStepIsTold();
+    void velocityThatIsWrittenCrossedIsTold();
     void crossedWayIsTold_data();
     void crossedWayIsTold();
     void aTimestepThatIsRightIsTold();
@@ -98,6 +100,46 @@ void TestToldMotion::aPartThatIsBrakedBlursNoOther()
     QVERIFY(std::abs(n[4] / n[6] - 2.0 * (1.0 - 0.5 / n[2])) < 0.01);
 }
 
+namespace {
+
+/// With a place and a velocity of its own, to which every step adds \p fall, written as \p written.
+QString ownState(const char *fall, const char *written)
+{
+    return QStringLiteral("local s = {} "
+                          "function on_load() "
+                          "s.p, s.v = circle1.position, circle1.velocity end "
+                          "function on_update(h) "
+                          "local was, limit = s.p, square.half_width - circle1.radius "
+                          "s.p = s.p + s.v * h s.v = s.v + %1 "
+                          "if math.abs(s.p.y) > limit and s.p.y * s.v.y > 0 then "
+                          "s.p, s.v = was, vec(s.v.x, -s.v.y) end "
+                          "circle1.position, circle1.velocity = s.p, %2 end")
+        .arg(QLatin1String(fall), QLatin1String(written));
+}
+
+} // namespace
+
+/// It falls so fast that a wall turns it in its second step, which every step could be.
+void TestToldMotion::ofWallsNoFirstStepIsTold()
+{
+    const QString said = bodyOfProgram("L42T3", ownState("vec(0, gravity.y / h)", "s.v"),
+                                       "Gravity on circle 1 is divided by the timestep");
+    QVERIFY(!said.isEmpty());
+    QVERIFY2(!said.contains(QLatin1String("first step")), qPrintable(said));
+}
+
+/// The way is right, and what is written down of the velocity is not.
+void TestToldMotion::velocityThatIsWrittenCrossedIsTold()
+{
+    const auto n = numbersIn(bodyOfProgram("L42T2", ownState("vec(0, 0)", "vec(s.v.y, s.v.x)"),
+                                           "x and y of the velocity of circle 1 are exchanged"),
+                             "Started with (#, #) m/s, it goes (#, #) m in the first step of 1/# "
+                             "s and has (#, #) m/s after it.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{n[0], n[1]} / n[4]));
+    QVERIFY(isNear(Vec2{n[5], n[6]}, Vec2{n[1], n[0]}));
+}
+
 void TestToldMotion::crossedWayIsTold_data()
 {
     QTest::addColumn<QString>("velocity");
@@ -106,8 +148,9 @@ void TestToldMotion::crossedWayIsTold_data()
                                 << "The x part of the velocity moves both circles in y";
     QTest::newRow("y for both") << "vec(c.velocity.y, c.velocity.y)"
                                 << "The y part of the velocity moves both circles in x";
-    QTest::newRow("exchanged") << "vec(c.velocity.y, c.velocity.x)"
-                               << "x and y of the velocity are exchanged where both circles moves";
+    QTest::newRow("exchanged")
+        << "vec(c.velocity.y, c.velocity.x)"
+        << "x and y of the velocity are exchanged in the way of both circles";
     QTest::newRow("its size") << "vec(c.velocity:length(), 0)"
                               << "The way of both circles in a step is not v Δt";
 }

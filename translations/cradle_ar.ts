@@ -2339,6 +2339,46 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>سرعة الدائرة ⁨%1⁩ هي التي تحرّك %who</translation>
     </message>
     <message>
+        <source>The velocity of %who at the start is not taken over</source>
+        <translation>لا تُؤخذ سرعة البداية في %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried; later steps go on from that.</source>
+        <translation>بدأت بسرعة %1 m/s فصار لها %2 m/s بعد خطوة واحدة، وكذلك من كل بداية أخرى جُرّبت؛ والخطوات التالية تواصل من ذلك.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later; one part is the same from every other start tried, and later steps go on from that.</source>
+        <translation>بدأت بسرعة %1 m/s فصار لها %2 m/s بعد خطوة واحدة؛ إحدى المركّبتين هي نفسها من كل بداية أخرى جُرّبت، والخطوات التالية تواصل من ذلك.</translation>
+    </message>
+    <message>
+        <source>A run begins with the velocity that the circle has then: look at which one your program begins with instead.</source>
+        <translation>يبدأ التشغيل بالسرعة التي للدائرة عندئذ: انظر بأي سرعة يبدأ برنامجك بدلًا منها.</translation>
+    </message>
+    <message>
+        <source>The place of %who at the start is not taken over</source>
+        <translation>لا يُؤخذ موضع البداية في %who</translation>
+    </message>
+    <message>
+        <source>Started at rest at two places, it is at one and the same place two steps later; the second step goes on from where the first one ends. A run begins where the circle is then: look at which place your program begins with instead.</source>
+        <translation>بدأت ساكنة من موضعين فصارت بعد خطوتين في موضع واحد بعينه؛ والخطوة الثانية تواصل من حيث تنتهي الأولى. يبدأ التشغيل حيث تكون الدائرة عندئذ: انظر بأي موضع يبدأ برنامجك بدلًا منه.</translation>
+    </message>
+    <message>
+        <source>A step of %who does %1 times what it should</source>
+        <translation>تفعل الخطوة %1 أضعاف ما ينبغي، في %who</translation>
+    </message>
+    <message>
+        <source>x and y of the velocity of %who are exchanged</source>
+        <translation>تبادلت مركّبتا السرعة x وy مكانيهما في %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the first step of %3 s and has %4 m/s after it. Each part of the velocity goes on from itself: look at the line that writes it down.</source>
+        <translation>بدأت بسرعة %1 m/s فقطعت %2 m في الخطوة الأولى ومدتها %3 s وصار لها بعدها %4 m/s. كل مركّبة من السرعة تواصل من نفسها: انظر السطر الذي يكتبها.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who at the start is not taken over whole</source>
+        <translation>لا تُؤخذ سرعة البداية كاملة في %who</translation>
+    </message>
+    <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>موضع %who الجديد لا يتوقف على القديم</translation>
     </message>
@@ -2367,7 +2407,7 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>المركّبة y للسرعة تحرّك %who في x</translation>
     </message>
     <message>
-        <source>x and y of the velocity are exchanged where %who moves</source>
+        <source>x and y of the velocity are exchanged in the way of %who</source>
         <translation>تبادلت مركّبتا السرعة x وy مكانيهما حيث تُحرَّك %who</translation>
     </message>
     <message>
@@ -5073,8 +5113,8 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>تواصل كل دائرة سيرها بسرعة الأخرى</translation>
     </message>
     <message>
-        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it.</source>
-        <translation>كيفما كانت البداية تأتي سرعة كلٍّ منهما بعد خطوة واحدة من سرعة الأخرى: بدأت الدائرة ⁨%2⁩ بسرعة ⁦%1 m/s⁩ فصارت ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في الأسطر التي تغيّرها.</translation>
+        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it, and at what is asked before them.</source>
+        <translation>كيفما كانت البداية تأتي سرعة كلٍّ منهما بعد خطوة واحدة من سرعة الأخرى: بدأت الدائرة ⁨%2⁩ بسرعة ⁦%1 m/s⁩ فصارت ⁦%3 m/s⁩. كل دائرة تنطلق من سرعتها هي: انظر إلى الأسماء في الأسطر التي تغيّرها، وإلى ما يُسأل عنه قبلها.</translation>
     </message>
     <message>
         <source>In free flight a step took the velocity of %who away</source>

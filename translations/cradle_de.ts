@@ -2167,6 +2167,46 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Die Geschwindigkeit von Kreis %1 bewegt %who</translation>
     </message>
     <message>
+        <source>The velocity of %who at the start is not taken over</source>
+        <translation>Die Geschwindigkeit beim Start wird nicht übernommen, für %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried; later steps go on from that.</source>
+        <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s, und ebenso bei jedem anderen versuchten Start; spätere Schritte gehen davon weiter.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later; one part is the same from every other start tried, and later steps go on from that.</source>
+        <translation>Mit %1 m/s gestartet, hat er einen Schritt später %2 m/s; ein Teil ist bei jedem anderen versuchten Start derselbe, und spätere Schritte gehen davon weiter.</translation>
+    </message>
+    <message>
+        <source>A run begins with the velocity that the circle has then: look at which one your program begins with instead.</source>
+        <translation>Ein Lauf beginnt mit der Geschwindigkeit, die der Kreis dann hat: Sieh nach, mit welcher dein Programm stattdessen beginnt.</translation>
+    </message>
+    <message>
+        <source>The place of %who at the start is not taken over</source>
+        <translation>Der Ort beim Start wird nicht übernommen, für %who</translation>
+    </message>
+    <message>
+        <source>Started at rest at two places, it is at one and the same place two steps later; the second step goes on from where the first one ends. A run begins where the circle is then: look at which place your program begins with instead.</source>
+        <translation>An zwei Orten in Ruhe gestartet, ist er zwei Schritte später an ein und demselben Ort; der zweite Schritt geht von dort weiter, wo der erste endet. Ein Lauf beginnt, wo der Kreis dann ist: Sieh nach, mit welchem Ort dein Programm stattdessen beginnt.</translation>
+    </message>
+    <message>
+        <source>A step of %who does %1 times what it should</source>
+        <translation>Ein Schritt bewirkt das %1-Fache von dem, was er soll, für %who</translation>
+    </message>
+    <message>
+        <source>x and y of the velocity of %who are exchanged</source>
+        <translation>x und y der Geschwindigkeit sind vertauscht, für %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the first step of %3 s and has %4 m/s after it. Each part of the velocity goes on from itself: look at the line that writes it down.</source>
+        <translation>Mit %1 m/s gestartet, legt er im ersten Schritt von %3 s %2 m zurück und hat danach %4 m/s. Jeder Teil der Geschwindigkeit geht von sich selbst weiter: Sieh die Zeile an, die sie hinschreibt.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who at the start is not taken over whole</source>
+        <translation>Die Geschwindigkeit beim Start wird nicht ganz übernommen, für %who</translation>
+    </message>
+    <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>Für %who hängt der neue Ort nicht vom alten ab</translation>
     </message>
@@ -2803,7 +2843,7 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Der y-Anteil der Geschwindigkeit bewegt %who in x</translation>
     </message>
     <message>
-        <source>x and y of the velocity are exchanged where %who moves</source>
+        <source>x and y of the velocity are exchanged in the way of %who</source>
         <translation>x und y der Geschwindigkeit sind vertauscht, wo %who sich bewegt</translation>
     </message>
     <message>
@@ -5013,8 +5053,8 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Jeder Kreis geht mit der Geschwindigkeit des anderen weiter</translation>
     </message>
     <message>
-        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it.</source>
-        <translation>Wie auch gestartet, kommt bei jedem die Geschwindigkeit einen Schritt später von der des anderen: Kreis %2 wurde mit %1 m/s gestartet und hat %3 m/s. Jeder geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in den Zeilen an, die sie ändern.</translation>
+        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it, and at what is asked before them.</source>
+        <translation>Wie auch gestartet, kommt bei jedem die Geschwindigkeit einen Schritt später von der des anderen: Kreis %2 wurde mit %1 m/s gestartet und hat %3 m/s. Jeder geht von seiner eigenen Geschwindigkeit aus: Sieh dir die Namen in den Zeilen an, die sie ändern, und wonach davor gefragt wird.</translation>
     </message>
     <message>
         <source>In free flight a step took the velocity of %who away</source>

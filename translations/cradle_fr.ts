@@ -2315,6 +2315,46 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La vitesse du cercle %1 déplace %who</translation>
     </message>
     <message>
+        <source>The velocity of %who at the start is not taken over</source>
+        <translation>La vitesse au départ n&apos;est pas reprise, pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later, and so it has from every other start tried; later steps go on from that.</source>
+        <translation>Parti avec %1 m/s, il a %2 m/s un pas plus tard, et de même pour tout autre départ essayé ; les pas suivants continuent de là.</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it has %2 m/s one step later; one part is the same from every other start tried, and later steps go on from that.</source>
+        <translation>Parti avec %1 m/s, il a %2 m/s un pas plus tard ; une composante est la même pour tout autre départ essayé, et les pas suivants continuent de là.</translation>
+    </message>
+    <message>
+        <source>A run begins with the velocity that the circle has then: look at which one your program begins with instead.</source>
+        <translation>Une exécution commence avec la vitesse que le cercle a alors : regardez avec laquelle votre programme commence à la place.</translation>
+    </message>
+    <message>
+        <source>The place of %who at the start is not taken over</source>
+        <translation>La position au départ n&apos;est pas reprise, pour %who</translation>
+    </message>
+    <message>
+        <source>Started at rest at two places, it is at one and the same place two steps later; the second step goes on from where the first one ends. A run begins where the circle is then: look at which place your program begins with instead.</source>
+        <translation>Parti au repos de deux endroits, il est deux pas plus tard à un seul et même endroit ; le second pas continue là où finit le premier. Une exécution commence là où est alors le cercle : regardez avec quelle position votre programme commence à la place.</translation>
+    </message>
+    <message>
+        <source>A step of %who does %1 times what it should</source>
+        <translation>Un pas fait %1 fois ce qu&apos;il doit, pour %who</translation>
+    </message>
+    <message>
+        <source>x and y of the velocity of %who are exchanged</source>
+        <translation>x et y de la vitesse sont échangés, pour %who</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, it goes %2 m in the first step of %3 s and has %4 m/s after it. Each part of the velocity goes on from itself: look at the line that writes it down.</source>
+        <translation>Parti avec %1 m/s, il parcourt %2 m dans le premier pas de %3 s et a ensuite %4 m/s. Chaque composante de la vitesse continue d&apos;elle-même : regardez la ligne qui l&apos;écrit.</translation>
+    </message>
+    <message>
+        <source>The velocity of %who at the start is not taken over whole</source>
+        <translation>La vitesse au départ n&apos;est pas entièrement reprise, pour %who</translation>
+    </message>
+    <message>
         <source>The new place of %who does not depend on the old one</source>
         <translation>La nouvelle position ne dépend pas de l&apos;ancienne, pour %who</translation>
     </message>
@@ -2343,7 +2383,7 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>La composante y de la vitesse déplace %who en x</translation>
     </message>
     <message>
-        <source>x and y of the velocity are exchanged where %who moves</source>
+        <source>x and y of the velocity are exchanged in the way of %who</source>
         <translation>x et y de la vitesse sont échangés dans le déplacement, pour %who</translation>
     </message>
     <message>
@@ -5013,8 +5053,8 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Chaque cercle continue avec la vitesse de l&apos;autre</translation>
     </message>
     <message>
-        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it.</source>
-        <translation>Quel que soit le départ, la vitesse de chacun un pas plus tard vient de celle de l&apos;autre&#xa0;: parti à %1 m/s, le cercle %2 a %3 m/s. Chacun part de sa propre vitesse&#xa0;: regardez les noms dans les lignes qui la changent.</translation>
+        <source>However they are started, what each has one step later comes from the velocity of the other: started with %1 m/s, circle %2 has %3 m/s. Each goes on from its own velocity: look at the names in the lines that change it, and at what is asked before them.</source>
+        <translation>Quel que soit le départ, la vitesse de chacun un pas plus tard vient de celle de l&apos;autre&#xa0;: parti à %1 m/s, le cercle %2 a %3 m/s. Chacun part de sa propre vitesse&#xa0;: regardez les noms dans les lignes qui la changent, et ce qui est demandé avant elles.</translation>
     </message>
     <message>
         <source>In free flight a step took the velocity of %who away</source>

@@ -34,7 +34,7 @@ public:
                 FlightText::tr("However they are started, what each has one step later comes from "
                                "the velocity of the other: started with %1 m/s, circle %2 has %3 "
                                "m/s. Each goes on from its own velocity: look at the names in the "
-                               "lines that change it.")
+                               "lines that change it, and at what is asked before them.")
                     .arg(brief(f.startedWith), QString::number(m_i + 1), brief(f.turnedInto)),
                 false);
         if (f.borrows >= 0 && right().borrows < 0)
@@ -59,6 +59,22 @@ public:
                         false);
         if (isStopped())
             return stopped();
+        if (f.keepsOwnVelocity && !right().resets && !right().resetsX && !right().resetsY)
+            return startSaid(
+                f.resets ? FlightText::tr("The velocity of %who at the start is not taken over")
+                         : FlightText::tr("The velocity of %who at the start is not taken over "
+                                          "whole"),
+                (f.resets ? FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and "
+                                           "so it has from every other start tried; later steps "
+                                           "go on from that.")
+                          : FlightText::tr("Started with %1 m/s, it has %2 m/s one step later; one "
+                                           "part is the same from every other start tried, and "
+                                           "later steps go on from that."))
+                        .arg(brief(f.startedWith), brief(f.turnedInto))
+                    + QLatin1Char(' ')
+                    + FlightText::tr("A run begins with the velocity that the circle has then: "
+                                     "look at which one your program begins with instead."),
+                false);
         if (f.resets && !m_right.at(gravity(), timestep(), m_i).resets)
             return said(FlightText::tr("The velocity of %who is set anew in every step"),
                         FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and so "
@@ -103,6 +119,14 @@ public:
                                        "velocity: look at the names in the line that moves it.")
                             .arg(f.leader + 1),
                         true);
+        if (f.keepsOwnPlace && !right().jumps)
+            return startSaid(
+                FlightText::tr("The place of %who at the start is not taken over"),
+                FlightText::tr("Started at rest at two places, it is at one and the same place two "
+                               "steps later; the second step goes on from where the first one "
+                               "ends. A run begins where the circle is then: look at which place "
+                               "your program begins with instead."),
+                true);
         if (f.jumps && !m_right.at(gravity(), timestep(), m_i).jumps)
             return said(FlightText::tr("The new place of %who does not depend on the old one"),
                         FlightText::tr("Started at rest at two places, it is at one and the same "
@@ -118,6 +142,16 @@ public:
                             .arg(brief(f.carried), briefTimestep(timestep())),
                         true);
         return std::nullopt;
+    }
+
+    /// What a run begins with.
+    [[nodiscard]] FlightSaid startSaid(const QString &headline, const QString &body,
+                                       bool isPosition) const
+    {
+        FlightSaid fault = said(headline, body, isPosition);
+        fault.suspect = Suspect::Begun;
+        fault.moment.step = 1;
+        return fault;
     }
 
     /// What puts it beside another circle: where hits are answered it is in one all the time.

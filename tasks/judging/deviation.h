@@ -27,6 +27,7 @@ enum class Suspect {
     Copy,     ///< a value of the scene that it copied before it was set
     Kept,     ///< a value that it works out once and keeps
     Omission, ///< something that is not there
+    Begun,    ///< what its own place or velocity of a circle begins with
 };
 
 [[nodiscard]] constexpr bool isOfQuestion(Suspect suspect)

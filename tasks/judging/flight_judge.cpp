@@ -31,7 +31,7 @@ public:
         const bool hidesWalls = !unlike && !said.empty() && firstStepSaid(*this).has_value();
         for (FlightSaid &each : said)
             each.hidesWalls |= hidesWalls;
-        if (hidesWalls && said.front().suspect != Suspect::Kept)
+        if (hidesWalls && said.front().suspect != Suspect::Kept && !comesToWalls())
             said.front().body +=
                 QLatin1Char(' ')
                 + FlightText::tr("The first step of a run is made in another way.");
@@ -48,6 +48,19 @@ public:
     }
 
 private:
+    /// Whether the flights that tell how the first step is made come so far that walls had a part
+    /// in it.
+    [[nodiscard]] bool comesToWalls() const
+    {
+        const Flight &f = flight(0);
+        const auto isFar = [&](const Flight::Step &step) {
+            return std::max({length(step.way), timestep() * length(step.velocity),
+                             timestep() * length(step.velocity + step.turn)})
+                   > farInAStep;
+        };
+        return isFar(f.fromRest) || std::any_of(f.seen.begin(), f.seen.end(), isFar);
+    }
+
     /// The same as if no other circle had a part in it; what hides the rest stands alone.
     [[nodiscard]] std::vector<FlightSaid> judgeByItself() const
     {

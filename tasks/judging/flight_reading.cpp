@@ -44,6 +44,35 @@ std::optional<Vec2> freedBy(const QString *program, const Ground &ground, Vec2 g
     return std::nullopt;
 }
 
+/// Whether the velocity of circle \p i, the same after the first step however it started, becomes
+/// another one, by what gravity gives or at a wall, and later steps go on from that. What is set
+/// anew in each is not carried from one to the next.
+bool keepsOwnVelocity(const QString *program, const Preset &preset, const Flight &flight,
+                      const Steps &first, std::size_t i)
+{
+    constexpr int steps = 600;
+    const Vec2 turn = first.after[i].velocity - first.before[i].velocity;
+    const auto part = [&](Vec2 v) {
+        return Vec2{flight.resetsY ? 0.0 : v.x, flight.resetsX ? 0.0 : v.y};
+    };
+    const Vec2 set = first.before[i].velocity;
+    Probe probe(program, {preset, true});
+    for (int k = 1; k <= steps; ++k) {
+        const Circle was = probe.circle(static_cast<int>(i));
+        if (!probe.step())
+            return false;
+        const Circle &now = probe.circle(static_cast<int>(i));
+        // What a wall turns again in every step stays where it is.
+        const Vec2 way = part(now.position - was.position);
+        const Vec2 expected = preset.timestep * part(was.velocity);
+        const bool moves = length(way - expected) < 0.2 * length(expected);
+        if (k > 1 && moves && length(part(was.velocity - set)) > 1e-6
+            && length(part(now.velocity - was.velocity - turn)) <= 1e-9)
+            return true;
+    }
+    return false;
+}
+
 /// Whether circle \p i goes the same two steps in both.
 bool areSame(const Steps &a, const Steps &b, std::size_t i)
 {
@@ -213,6 +242,9 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
             flights[i].onlySlow = keeps(isFurther ? run(Scene::Fast) : quick)
                                   && keeps(run(Scene::Behind)) && !keeps(run(Scene::Ahead));
         }
+        if ((flights[i].resets || flights[i].resetsX || flights[i].resetsY) && !isFurther)
+            flights[i].keepsOwnVelocity = keepsOwnVelocity(
+                program, flightPreset(ground, gravity, h, Scene::First), flights[i], first, i);
         if (flights[i].resets && !isFurther)
             flights[i].freedBy = freedBy(program, ground, gravity, h, i, rest);
         if (flights[i].isFromLeader)

@@ -38,8 +38,11 @@ struct Flight {
     bool resets = false;  ///< the velocity after a step does not depend on that before
     bool resetsX = false; ///< the same of one part of the velocity alone
     bool resetsY = false;
-    double carried = 1.0; ///< share of the old place that is in the new one; 1 is right
-    bool jumps = false;   ///< the place after a step does not depend on that before
+    /// What it is after the first step it is only there: later steps go on from that.
+    bool keepsOwnVelocity = false;
+    double carried = 1.0;       ///< share of the old place that is in the new one; 1 is right
+    bool jumps = false;         ///< the place after a step does not depend on that before
+    bool keepsOwnPlace = false; ///< but the second step goes on from where the first one ends
     Follows xFollows = Follows::Itself; ///< how the first step goes on from the x of the start
     Follows yFollows = Follows::Itself;
     Vec2 startedAt{};          ///< for words about it, m

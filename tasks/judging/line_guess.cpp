@@ -149,7 +149,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
     const ProgramLines lines(program);
     if (const int line = tellingLine(deviation, lines, rows, ran, last, assignment.isSound))
         return line;
-    if (deviation.suspect == Suspect::Omission)
+    if (deviation.suspect == Suspect::Omission || deviation.suspect == Suspect::Begun)
         return 0;
     const auto isRow = [&](int line) { return line >= 1 && line <= rows.size(); };
     if (deviation.moment.circles.empty() || !isRow(last))

@@ -61,8 +61,7 @@ std::optional<SpreadPush> PairRange::spread(const PairHit &model) const
         if (length(now1 - free1) + length(now2 - free2) < least)
             continue;
         // What a wall turned in the same step is no push of theirs.
-        if (isNearWall(before[0], length(now1) * m_h)
-            || isNearWall(before[1], length(now2) * m_h))
+        if (isNearWall(before[0], length(now1) * m_h) || isNearWall(before[1], length(now2) * m_h))
             break;
         const double closing = closingAlong(n, free1, free2);
         const double turned = closing - closingAlong(n, now1, now2);

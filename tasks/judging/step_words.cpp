@@ -42,7 +42,9 @@ public:
             return fault;
         }
         return tell(
-            FlightText::tr("The whole step of %who is made as with %1 Δt")
+            (isOfMethod(times->value)
+                 ? FlightText::tr("The whole step of %who is made as with %1 Δt")
+                 : FlightText::tr("A step of %who does %1 times what it should"))
                 .arg(briefBeside(times->value, 1.0)),
             FlightText::tr("The way is %1 times v Δt, too: look at which Δt the lines of a step "
                            "take, and at how often they run.")
@@ -83,6 +85,23 @@ private:
             || (fall.kind == Kind::Constant && !isRight(fall) && fall.value >= 0.0);
         return isWhole && !isRight(x) && isOne(x, fall) && isOne(y, fall) ? std::optional(fall)
                                                                           : std::nullopt;
+    }
+
+    /// Whether what gravity adds to the way, too, is as a method has it in one step with so many
+    /// Δt, or in so many steps.
+    [[nodiscard]] bool isOfMethod(double times) const
+    {
+        const Vec2 g = *falling();
+        const Vec2 fall = timestep() * timestep() * m_right.at(g, timestep(), m_i).acceleration;
+        const double added = dot(m_own.at(g, timestep(), m_i).drift, fall) / lengthSquared(fall);
+        const auto adds = [&](double share) { return std::abs(added - share) < 1e-3; };
+        const bool isCount = std::abs(times - std::round(times)) < wrong;
+        for (const double share : {0.0, 0.5, 1.0}) {
+            if (adds(share * times * times)
+                || (isCount && adds(share * times + 0.5 * times * (times - 1.0))))
+                return true;
+        }
+        return false;
     }
 
     [[nodiscard]] FlightSaid tell(const QString &headline, const QString &where,

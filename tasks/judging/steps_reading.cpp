@@ -43,6 +43,7 @@ public:
         flight.resets = isNear(m_first.before[m_i].velocity, m_rest.before[m_i].velocity)
                         && isNear(m_second.before[m_i].velocity, m_rest.before[m_i].velocity);
         flight.jumps = isNear(m_shifted.after[m_i].position, m_rest.after[m_i].position);
+        flight.keepsOwnPlace = flight.jumps && goesOn(m_first) && goesOn(m_second);
         const Vec2 v = m_first.before[m_i].velocity - m_rest.before[m_i].velocity;
         const Vec2 dx = way(m_first) - way(m_rest);
         const Vec2 dv = turn(m_first) - turn(m_rest);
@@ -112,6 +113,15 @@ private:
         };
         return isOneWay(s.before[m_i], s.start[m_i].velocity, s.before[m_i].velocity)
                && isOneWay(s.after[m_i], s.before[m_i].velocity, s.after[m_i].velocity);
+    }
+
+    /// Whether the second step goes about as far as by the velocity, not only as far as another one
+    /// makes of a place that is set anew.
+    [[nodiscard]] bool goesOn(const Steps &s) const
+    {
+        constexpr double ofMethod = 0.2; // what gravity may add to the way
+        const Vec2 expected = m_h * s.before[m_i].velocity;
+        return length(expected) > 1e-6 && length(way(s) - expected) < ofMethod * length(expected);
     }
 
     /// Of what two starts are apart, the share that is left one step later; 1 where it is not the

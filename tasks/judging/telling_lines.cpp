@@ -178,6 +178,40 @@ int startLine(const ProgramLines &program, int line)
     return found;
 }
 
+/// The first line at the start of a program that gives numbers to what \p line writes down; 0 if
+/// there is none, or several far from each other.
+int begunLine(const ProgramLines &program, int line)
+{
+    constexpr int together = 3;
+    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    QStringList names;
+    const auto takeFrom = [&](const ProgramAssignment &each) {
+        names += valuesIn(program, each.from, each.to);
+    };
+    for (const ProgramAssignment &each : assignments) {
+        if (each.line == line)
+            takeFrom(each);
+    }
+    for (const ProgramAssignment &each : assignments) {
+        if (!isOfStart(functions, each.line) && names.contains(each.name)
+            && isHandedOn(program, each))
+            takeFrom(each);
+    }
+    int found = 0;
+    for (const ProgramAssignment &each : assignments) {
+        if (!isOfStart(functions, each.line) || !names.contains(each.name) || each.from == each.to
+            || program.is(each.from, "nil")
+            || program.tokens()[each.target].text.startsWith(QLatin1String("circle"))
+            || !valuesIn(program, each.from, each.to).isEmpty())
+            continue;
+        if (found != 0 && each.line > found + together)
+            return 0;
+        found = found == 0 ? each.line : found;
+    }
+    return found;
+}
+
 /// The only line of those that run at the moment that has \p sought in it; 0 if there is none, or
 /// several.
 int onlyLineWith(const QRegularExpression &sought, const QStringList &rows, const RanLines &ran)
@@ -263,6 +297,8 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
         if (const int line = keepingLine(rows, ran))
             return line;
         return last < 1 || last > program.count() ? 0 : startLine(program, last);
+    case Suspect::Begun:
+        return last < 1 || last > program.count() ? 0 : begunLine(program, last);
     case Suspect::Omission:
         return deviation.aspect == Aspect::Walls ? lineOfMissingWall(deviation, program, rows) : 0;
     case Suspect::Answer:

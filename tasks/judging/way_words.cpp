@@ -204,6 +204,18 @@ private:
         return at == all.end() ? std::nullopt : std::optional(*at);
     }
 
+    /// Whether the first step goes by the velocity of the start, and what that becomes has x and y
+    /// exchanged.
+    [[nodiscard]] bool isWrittenCrossed() const
+    {
+        const Flight &f = flight(0);
+        const Vec2 way = timestep() * f.startedWith;
+        const Vec2 crossed{f.startedWith.y, f.startedWith.x};
+        const double blur = 0.2 * length(crossed - f.startedWith);
+        return length(f.firstWay - way) < 0.2 * length(way)
+               && length(f.turnedInto - crossed) < blur;
+    }
+
     /// A way that is no share of the own velocity.
     [[nodiscard]] FlightSaid oddWay() const
     {
@@ -230,7 +242,16 @@ private:
         case Flight::Crossing::YMovesX:
             return tell(FlightText::tr("The y part of the velocity moves %who in x"), own);
         case Flight::Crossing::Exchanged:
-            return tell(FlightText::tr("x and y of the velocity are exchanged where %who moves"),
+            if (isWrittenCrossed())
+                return said(
+                    FlightText::tr("x and y of the velocity of %who are exchanged"),
+                    FlightText::tr("Started with %1 m/s, it goes %2 m in the first step of %3 s "
+                                   "and has %4 m/s after it. Each part of the velocity goes on "
+                                   "from itself: look at the line that writes it down.")
+                        .arg(brief(flight(0).startedWith), brief(flight(0).firstWay),
+                             briefTimestep(h), brief(flight(0).turnedInto)),
+                    false);
+            return tell(FlightText::tr("x and y of the velocity are exchanged in the way of %who"),
                         own);
         case Flight::Crossing::None:
             break;
