@@ -19,6 +19,8 @@ private slots:
     void lineMovesTheCircleThatIsWrong_data();
     void lineMovesTheCircleThatIsWrong();
     void linesOfMassesComeFirst();
+    void theLastLineIsOneOfThem_data();
+    void theLastLineIsOneOfThem();
     void linesOfTheStartAreThoseThatChoose_data();
     void linesOfTheStartAreThoseThatChoose();
 };
@@ -113,6 +115,45 @@ void TestSuspectLine::linesOfMassesComeFirst()
                                                  .aspect = Aspect::Response,
                                                  .mending = {}});
     QCOMPARE(lines, (std::vector<int>{2, 6, 4, 3, 7}));
+}
+
+/// Whatever it is that makes a line suspect; the first one runs.
+void TestSuspectLine::theLastLineIsOneOfThem_data()
+{
+    QTest::addColumn<QString>("last");
+    QTest::addColumn<Suspect>("suspect");
+    QTest::addColumn<Aspect>("aspect");
+    QTest::addColumn<std::vector<int>>("lines");
+    QTest::newRow("a mass") << "local m = circle1.radius ^ 2" << Suspect::Masses << Aspect::Response
+                            << std::vector{2, 1};
+    QTest::newRow("a quantity") << "local m = circle1.radius ^ 2" << Suspect::Formula
+                                << Aspect::Response << std::vector{1, 2};
+    QTest::newRow("a number") << "local n = 3" << Suspect::Formula << Aspect::Response
+                              << std::vector{2, 1};
+    QTest::newRow("a choice") << "local way = true" << Suspect::Formula << Aspect::Motion
+                              << std::vector{1, 2};
+}
+
+void TestSuspectLine::theLastLineIsOneOfThem()
+{
+    QFETCH(QString, last);
+    QFETCH(Suspect, suspect);
+    QFETCH(Aspect, aspect);
+    QFETCH(std::vector<int>, lines);
+    const QString program =
+        QStringLiteral("function on_update(h) circle1.position = circle1.position * h end\n%1")
+            .arg(last);
+    const Moment moment;
+    const RanLines ran{.now = {1}, .before = {}};
+    QCOMPARE(suspectLines({.program = program,
+                           .reference = program,
+                           .moment = moment,
+                           .ran = ran,
+                           .suspect = suspect,
+                           .last = 1,
+                           .aspect = aspect,
+                           .mending = {}}),
+             lines);
 }
 
 /// A method or a circle, which decides how something moves.
