@@ -18,6 +18,7 @@ class TestEndedWorkers : public QObject
 {
     Q_OBJECT
 private slots:
+    void initTestCase();
     void whatEndsAWorkerIsTold_data();
     void whatEndsAWorkerIsTold();
 };
@@ -51,6 +52,13 @@ bool endWorker(int signal)
 
 } // namespace
 
+/// Whatever a program makes of being asked to end, those that it starts end.
+void TestEndedWorkers::initTestCase()
+{
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_IGN);
+}
+
 void TestEndedWorkers::whatEndsAWorkerIsTold_data()
 {
     QTest::addColumn<int>("signal");
@@ -63,6 +71,10 @@ void TestEndedWorkers::whatEndsAWorkerIsTold_data()
     // QtTest handles those of crashes itself.
     QTest::newRow("another signal")
         << SIGUSR1 << false << QStringLiteral("it was ended by signal 10");
+    QTest::newRow("somebody who asks")
+        << SIGTERM << false << QStringLiteral("it was ended by signal 15");
+    QTest::newRow("somebody at a terminal")
+        << SIGINT << false << QStringLiteral("it was ended by signal 2");
     QTest::newRow("somebody") << SIGKILL << true << QStringLiteral("it was ended by signal 9");
 }
 
@@ -80,7 +92,7 @@ void TestEndedWorkers::whatEndsAWorkerIsTold()
                                  .files = {{QStringLiteral("steps/BALL1.lua"), program}}};
     // One that was found too late has ended by itself, and tells a result before.
     std::vector<WorkerEvent> events;
-    for (int number = 1; events.empty() || events.back().done; ++number) {
+    for (int number = 1; number < 100 && (events.empty() || events.back().done); ++number) {
         events.clear();
         (*workers)->judge(number, request);
         while (events.empty() || events.back().step) {

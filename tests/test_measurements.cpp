@@ -97,6 +97,10 @@ void TestMeasurements::deviationByHand()
     // Kinetic 4 − 1 J, potential 2 kg · 10 m/s² · 4 m and 6 kg · 10 m/s² · 1 m.
     COMPARE_NEAR(off.energy, 3.0 + 80.0 + 60.0, 1e-11);
     COMPARE_NEAR(greatestDistance(run, exact), 5.0, 1e-14);
+    // Of those that both have.
+    QCOMPARE(greatestDistance(std::span(run).last(1), exact), 1.0);
+    QCOMPARE(greatestDistance(exact, std::span(run).last(1)), 1.0);
+    QCOMPARE(greatestDistance(run, {}), 0.0);
 }
 
 void TestMeasurements::deviationOfTheSameIsNone()
