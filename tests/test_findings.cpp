@@ -30,6 +30,7 @@ private slots:
     void circleThatLeavesRightlyIsNamedOfUnequalOnes();
     void massesOfNoPowerAreToldSo();
     void crowdHasRoomWhereItIsMeasured();
+    void withoutASolutionStudentsAloneAreTold();
 
 private:
     [[nodiscard]] CheckReport told(const QString &step, const OtherForm &form) const
@@ -367,6 +368,24 @@ void TestFindings::crowdHasRoomWhereItIsMeasured()
             QVERIFY2(gap > 0.1, qPrintable(QStringLiteral("%1 and %2").arg(i).arg(j)));
         }
     }
+}
+
+/// Their edition asks the checks for the laws; a lab whose author has yet to write one does not.
+void TestFindings::withoutASolutionStudentsAloneAreTold()
+{
+    using namespace parts;
+    Task step = task(lab("L42T4"));
+    OtherForm form = otherForm(lab("L42T4"));
+    form.integrate = symplectic;
+    const auto saidOf = [&] {
+        return headlinesOf(*judgeTask(m_lab, step, Submission(step.preset, form.source()), 1));
+    };
+    const QStringList said{text("The motion of both circles is symplectic Euler, not Euler")};
+    QCOMPARE(saidOf(), said);
+    step.solution.clear();
+    QCOMPARE(saidOf(), QStringList());
+    step.forStudents = true;
+    QCOMPARE(saidOf(), said);
 }
 
 QTEST_GUILESS_MAIN(TestFindings)
