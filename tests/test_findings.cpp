@@ -31,6 +31,7 @@ private slots:
     void massesOfNoPowerAreToldSo();
     void crowdHasRoomWhereItIsMeasured();
     void withoutASolutionStudentsAloneAreTold();
+    void wallsThatAreSoughtFarAheadAreNoFaultOfTheMotion();
 
 private:
     [[nodiscard]] CheckReport told(const QString &step, const OtherForm &form) const
@@ -386,6 +387,33 @@ void TestFindings::withoutASolutionStudentsAloneAreTold()
     QCOMPARE(saidOf(), QStringList());
     step.forStudents = true;
     QCOMPARE(saidOf(), said);
+}
+
+/// Only what is fast is turned where no wall is near.
+void TestFindings::wallsThatAreSoughtFarAheadAreNoFaultOfTheMotion()
+{
+    const QString step = QStringLiteral("L42T2");
+    const QString program = text("function on_update(h)\n"
+                                 "  local c, far = circle1, AHEAD * circle1.velocity\n"
+                                 "  local q, v, room = c.position + far, c.velocity, 4 - c.radius\n"
+                                 "  if math.abs(q.x) > room and q.x * v.x > 0 then\n"
+                                 "    v = vec(-v.x, v.y)\n"
+                                 "  end\n"
+                                 "  if math.abs(q.y) > room and q.y * v.y > 0 then\n"
+                                 "    v = vec(v.x, -v.y)\n"
+                                 "  end\n"
+                                 "  c.position, c.velocity = c.position + v * h, v\n"
+                                 "end\n");
+    for (const auto &[ahead, headline] :
+         {std::pair("0.5", "Hits at the walls turn circle 1 round too early"),
+          std::pair("0.7", "Hits at the walls turn circle 1 round too early"),
+          std::pair("1", "Hits at the walls turn circle 1 round a whole second too early")}) {
+        QString source = program;
+        source.replace(QLatin1String("AHEAD"), QLatin1String(ahead));
+        const CheckReport report =
+            *judgeTask(m_lab, task(step), Submission(task(step).preset, source), 1);
+        QCOMPARE(headlinesOf(report), QStringList(text(headline)));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestFindings)
