@@ -22,6 +22,7 @@ private slots:
     void velocityThatIsSetIsTold();
     void startThatIsNotTakenOverIsTold_data();
     void startThatIsNotTakenOverIsTold();
+    void startOfOneThatWaitsIsTold();
     void velocitiesThatAreExchangedAreTold();
     void velocityOfAnotherIsTold();
     void slowOnesThatStopAreTold();
@@ -68,6 +69,12 @@ void TestToldCarried::velocityThatIsSetIsTold_data()
     QTest::newRow("x") << "vec(2, c.velocity.y + gravity.y * h)"
                        << "The x of the velocity of both circles is set anew in every step"
                        << Vec2{2.0, kept};
+    QTest::newRow("x to 0") << "vec(0, c.velocity.y + gravity.y * h)"
+                            << "The x of the velocity of both circles is 0 after every step"
+                            << Vec2{0.0, kept};
+    QTest::newRow("y to 0") << "vec(c.velocity.x, 0)"
+                            << "The y of the velocity of both circles is 0 after every step"
+                            << Vec2{kept, 0.0};
     QTest::newRow("y") << "vec(c.velocity.x, -3)"
                        << "The y of the velocity of both circles is set anew in every step"
                        << Vec2{kept, -3.0};
@@ -169,6 +176,34 @@ end
              report.findings.empty() ? "nothing" : qPrintable(report.findings[0].message));
     if (line > 0)
         QCOMPARE(told->line, line);
+}
+
+/// A circle with a place of its own that rests until it is hit is put nowhere in every step, and
+/// none of these takes its velocity away.
+void TestToldCarried::startOfOneThatWaitsIsTold()
+{
+    const QString program = QStringLiteral(R"lua(local s = {}
+function on_load()
+s[1] = { p = vec(-2, 2), v = vec(2, 0) }
+s[2] = { p = vec(2, 2), v = vec(0, 0) }
+end
+function on_update(h)
+local reach = circle1.radius + circle2.radius
+for _, b in ipairs(s) do
+b.p = b.p + b.v * h
+if math.abs(b.p.x) > 3.8 and b.p.x * b.v.x > 0 then b.v = vec(-b.v.x, b.v.y) end
+end
+local d = s[2].p - s[1].p
+if d:length() < reach and dot(s[2].v - s[1].v, d) < 0 then s[1].v, s[2].v = s[2].v, s[1].v end
+for i, b in ipairs(s) do circles[i].position, circles[i].velocity = b.p, b.v end
+end
+)lua");
+    const Task &of = task(QStringLiteral("L42T10"));
+    const CheckReport report = *judgeTask(m_lab, of, Submission(of.preset, program), 1);
+    QCOMPARE(report.findings.size(), std::size_t(1));
+    QCOMPARE(report.findings[0].message.section(QLatin1Char('\n'), 0, 0),
+             QStringLiteral("The velocity of both circles at the start is not taken over"));
+    QCOMPARE(report.findings[0].line, 3);
 }
 
 /// Each has what the other had, with gravity added.

@@ -2327,8 +2327,16 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>تُضبط سرعة %who من جديد في كل خطوة</translation>
     </message>
     <message>
+        <source>The x of the velocity of %who is 0 after every step</source>
+        <translation>المركّبة x لسرعة %who صفر بعد كل خطوة</translation>
+    </message>
+    <message>
         <source>The x of the velocity of %who is set anew in every step</source>
         <translation>تُضبط المركّبة x لسرعة %who من جديد في كل خطوة</translation>
+    </message>
+    <message>
+        <source>The y of the velocity of %who is 0 after every step</source>
+        <translation>المركّبة y لسرعة %who صفر بعد كل خطوة</translation>
     </message>
     <message>
         <source>The y of the velocity of %who is set anew in every step</source>

@@ -2935,8 +2935,16 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>In deiner eigenen Szene ändert der erste Schritt die Geschwindigkeit für %who</translation>
     </message>
     <message>
+        <source>The x of the velocity of %who is 0 after every step</source>
+        <translation>Das x der Geschwindigkeit ist für %who nach jedem Schritt 0</translation>
+    </message>
+    <message>
         <source>The x of the velocity of %who is set anew in every step</source>
         <translation>Das x der Geschwindigkeit wird für %who in jedem Schritt neu gesetzt</translation>
+    </message>
+    <message>
+        <source>The y of the velocity of %who is 0 after every step</source>
+        <translation>Das y der Geschwindigkeit ist für %who nach jedem Schritt 0</translation>
     </message>
     <message>
         <source>The y of the velocity of %who is set anew in every step</source>

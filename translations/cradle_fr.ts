@@ -2303,8 +2303,16 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>À chaque pas, la vitesse est redéfinie pour %who</translation>
     </message>
     <message>
+        <source>The x of the velocity of %who is 0 after every step</source>
+        <translation>Après chaque pas, le x de la vitesse est 0 pour %who</translation>
+    </message>
+    <message>
         <source>The x of the velocity of %who is set anew in every step</source>
         <translation>À chaque pas, le x de la vitesse est redéfini pour %who</translation>
+    </message>
+    <message>
+        <source>The y of the velocity of %who is 0 after every step</source>
+        <translation>Après chaque pas, le y de la vitesse est 0 pour %who</translation>
     </message>
     <message>
         <source>The y of the velocity of %who is set anew in every step</source>

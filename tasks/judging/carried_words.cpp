@@ -57,7 +57,7 @@ public:
                                        "lines that change the velocity.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
-        if (isStopped())
+        if (isStopped() && !f.keepsOwnVelocity)
             return stopped();
         if (f.keepsOwnVelocity && !right().resets && !right().resetsX && !right().resetsY)
             return startSaid(
@@ -86,10 +86,7 @@ public:
                         false);
         if ((f.resetsX && !right().resetsX) || (f.resetsY && !right().resetsY))
             return said(
-                f.resetsX ? FlightText::tr("The x of the velocity of %who is set anew in every "
-                                           "step")
-                          : FlightText::tr("The y of the velocity of %who is set anew in every "
-                                           "step"),
+                partThatIsSet(f),
                 FlightText::tr("Started with %1 m/s, it has %2 m/s one step later, and "
                                "that part is the same from every other start tried. A step works "
                                "each part out from the one that the circle has, and keeps "
@@ -142,6 +139,20 @@ public:
                             .arg(brief(f.carried), briefTimestep(timestep())),
                         true);
         return std::nullopt;
+    }
+
+    /// The part of the velocity that does not go on from itself. What is 0 may be set in every
+    /// step, or begin so and stay.
+    [[nodiscard]] static QString partThatIsSet(const Flight &f)
+    {
+        const double part = f.resetsX ? f.turnedInto.x : f.turnedInto.y;
+        if (std::abs(part) < 1e-9)
+            return f.resetsX
+                       ? FlightText::tr("The x of the velocity of %who is 0 after every step")
+                       : FlightText::tr("The y of the velocity of %who is 0 after every step");
+        return f.resetsX
+                   ? FlightText::tr("The x of the velocity of %who is set anew in every step")
+                   : FlightText::tr("The y of the velocity of %who is set anew in every step");
     }
 
     /// What a run begins with.

@@ -73,6 +73,28 @@ bool keepsOwnVelocity(const QString *program, const Preset &preset, const Flight
     return false;
 }
 
+/// Whether circle \p i leaves the place where it is after the first step however it started, and
+/// then goes on by its velocity. What every step puts there comes back.
+bool leavesOwnPlace(const QString *program, const Preset &preset, std::size_t i)
+{
+    constexpr int steps = 600;
+    constexpr int enough = 3; // steps that go on
+    const int circle = static_cast<int>(i);
+    Probe probe(program, {preset, true});
+    int gone = 0;
+    for (int k = 0; k < steps && gone < enough; ++k) {
+        const Circle was = probe.circle(circle);
+        if (!probe.step())
+            return false;
+        const Vec2 expected = preset.timestep * was.velocity;
+        const Vec2 way = probe.circle(circle).position - was.position;
+        const bool goesOn =
+            k > 0 && length(expected) > 1e-6 && length(way - expected) < 0.2 * length(expected);
+        gone = goesOn ? gone + 1 : 0;
+    }
+    return gone >= enough;
+}
+
 /// Whether circle \p i goes the same two steps in both.
 bool areSame(const Steps &a, const Steps &b, std::size_t i)
 {
@@ -245,6 +267,9 @@ std::vector<Flight> measureFlights(const QString *program, const Ground &ground,
         if ((flights[i].resets || flights[i].resetsX || flights[i].resetsY) && !isFurther)
             flights[i].keepsOwnVelocity = keepsOwnVelocity(
                 program, flightPreset(ground, gravity, h, Scene::First), flights[i], first, i);
+        if (flights[i].jumps && !flights[i].keepsOwnPlace && !isFurther)
+            flights[i].keepsOwnPlace =
+                leavesOwnPlace(program, flightPreset(ground, gravity, h, Scene::First), i);
         if (flights[i].resets && !isFurther)
             flights[i].freedBy = freedBy(program, ground, gravity, h, i, rest);
         if (flights[i].isFromLeader)

@@ -42,7 +42,7 @@ struct Flight {
     bool keepsOwnVelocity = false;
     double carried = 1.0;       ///< share of the old place that is in the new one; 1 is right
     bool jumps = false;         ///< the place after a step does not depend on that before
-    bool keepsOwnPlace = false; ///< but the second step goes on from where the first one ends
+    bool keepsOwnPlace = false; ///< but later steps go on from where the first one ends
     Follows xFollows = Follows::Itself; ///< how the first step goes on from the x of the start
     Follows yFollows = Follows::Itself;
     Vec2 startedAt{};          ///< for words about it, m

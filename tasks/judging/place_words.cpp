@@ -30,7 +30,7 @@ public:
                                        "part stands where."));
         const bool isSetX = is(Follows::Nothing, &Flight::xFollows);
         const bool isSetY = is(Follows::Nothing, &Flight::yFollows);
-        if (!isSetX && !isSetY)
+        if ((!isSetX && !isSetY) || flight(0).keepsOwnPlace)
             return std::nullopt;
         return tell(
             isSetX && isSetY ? FlightText::tr("Every step puts %who at the same place")
