@@ -160,6 +160,11 @@ void TestSpreadPush::otherLawsAreNoSpreadPush_data()
     row("far too much", inPlace,
         "p.velocity, q.velocity = p.velocity - 300 * closing * n, "
         "q.velocity + 300 * closing * n");
+    row("along another normal, again and again", inPlace,
+        "local a = math.deg(math.atan(n.y, n.x)) n = vec(math.cos(a), math.sin(a)) "
+        "closing = math.max(dot(p.velocity - q.velocity, n), 0) "
+        "p.velocity, q.velocity = p.velocity - closing * n, q.velocity + closing * n",
+        "true");
     QTest::newRow("each of two steps more than all of it")
         << inParts(2).replace(QLatin1String("closing / 2"), QLatin1String("closing * 1.5"));
     QTest::newRow("nothing is left for the second of two steps")

@@ -14,6 +14,7 @@ namespace {
 constexpr double leastPush = 2e-3;
 constexpr double sameShareOfClosing = 0.05;
 constexpr double rightAtOnce = 0.02;
+constexpr double mostTurned = 0.1; ///< of the first push out of the line of centres, as a sine
 
 /// How fast two come nearer along \p n, m/s.
 double closingAlong(Vec2 n, Vec2 v1, Vec2 v2)
@@ -32,6 +33,17 @@ bool isDoneAtOnce(const SpreadPush &spread, const PairHit &right)
     return length(first.left1 - right.left1) + length(first.left2 - right.left2)
                < rightAtOnce * length(first.came1 - first.came2)
            || (isWhole(first.push1(), right.push1()) && isWhole(first.push2(), right.push2()));
+}
+
+/// Whether the first step pushes along the line in which both should be pushed: else it is its
+/// direction that is wrong, and later steps answer again what that left.
+bool isAlongTheLine(const PairHit &first, const PairHit &right)
+{
+    const Vec2 line = normalized(right.push2());
+    const auto isAlong = [&](Vec2 push) {
+        return std::abs(cross(push, line)) <= mostTurned * length(push);
+    };
+    return isAlong(first.push1()) && isAlong(first.push2());
 }
 
 } // namespace
@@ -86,7 +98,8 @@ std::optional<SpreadPush> PairRange::spread(const PairHit &model) const
 std::optional<LawDeviation> spreadDeviation(const MeasuredPair &own, const MeasuredPair &right)
 {
     if (!own.isJudged || !own.spread || right.inSteps.empty() || !right.inSteps.front().isMet()
-        || isDoneAtOnce(*own.spread, right.inSteps.front()))
+        || isDoneAtOnce(*own.spread, right.inSteps.front())
+        || !isAlongTheLine(own.spread->first, right.inSteps.front()))
         return std::nullopt;
     const PairHit &first = own.spread->first;
     const PairHit &last = own.spread->last;
