@@ -22,6 +22,7 @@ private slots:
     void velocityThatIsSetIsTold();
     void startThatIsNotTakenOverIsTold_data();
     void startThatIsNotTakenOverIsTold();
+    void startOfOneThatWaitsIsTold_data();
     void startOfOneThatWaitsIsTold();
     void velocitiesThatAreExchangedAreTold();
     void velocityOfAnotherIsTold();
@@ -180,8 +181,16 @@ end
 
 /// A circle with a place of its own that rests until it is hit is put nowhere in every step, and
 /// none of these takes its velocity away.
+void TestToldCarried::startOfOneThatWaitsIsTold_data()
+{
+    QTest::addColumn<QString>("places"); ///< before a step
+    QTest::newRow("its own") << "b.p";
+    QTest::newRow("the circle's") << "circles[i].position";
+}
+
 void TestToldCarried::startOfOneThatWaitsIsTold()
 {
+    QFETCH(QString, places);
     const QString program = QStringLiteral(R"lua(local s = {}
 function on_load()
 s[1] = { p = vec(-2, 2), v = vec(2, 0) }
@@ -189,15 +198,16 @@ s[2] = { p = vec(2, 2), v = vec(0, 0) }
 end
 function on_update(h)
 local reach = circle1.radius + circle2.radius
-for _, b in ipairs(s) do
-b.p = b.p + b.v * h
+for i, b in ipairs(s) do
+b.p = %1 + b.v * h
 if math.abs(b.p.x) > 3.8 and b.p.x * b.v.x > 0 then b.v = vec(-b.v.x, b.v.y) end
 end
 local d = s[2].p - s[1].p
 if d:length() < reach and dot(s[2].v - s[1].v, d) < 0 then s[1].v, s[2].v = s[2].v, s[1].v end
 for i, b in ipairs(s) do circles[i].position, circles[i].velocity = b.p, b.v end
 end
-)lua");
+)lua")
+                                .arg(places);
     const Task &of = task(QStringLiteral("L42T10"));
     const CheckReport report = *judgeTask(m_lab, of, Submission(of.preset, program), 1);
     QCOMPARE(report.findings.size(), std::size_t(1));

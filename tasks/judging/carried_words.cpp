@@ -57,9 +57,9 @@ public:
                                        "lines that change the velocity.")
                             .arg(brief(f.startedWith), brief(f.turnedInto)),
                         false);
-        if (isStopped() && !f.keepsOwnVelocity)
+        if (isStopped() && !keepsOwnVelocity())
             return stopped();
-        if (f.keepsOwnVelocity && !right().resets && !right().resetsX && !right().resetsY)
+        if (keepsOwnVelocity() && !right().resets && !right().resetsX && !right().resetsY)
             return startSaid(
                 f.resets ? FlightText::tr("The velocity of %who at the start is not taken over")
                          : FlightText::tr("The velocity of %who at the start is not taken over "
@@ -139,6 +139,19 @@ public:
                             .arg(brief(f.carried), briefTimestep(timestep())),
                         true);
         return std::nullopt;
+    }
+
+    /// Whether later steps go on from the velocity after the first one, the same from every start;
+    /// of a circle that stays at rest then, whether those of another do.
+    [[nodiscard]] bool keepsOwnVelocity() const
+    {
+        if (!isStopped())
+            return flight(0).keepsOwnVelocity;
+        for (int i = 0; i < static_cast<int>(m_ground.flights.size()); ++i) {
+            if (m_own.at(gravity(), timestep(), i).keepsOwnVelocity)
+                return true;
+        }
+        return false;
     }
 
     /// The part of the velocity that does not go on from itself. What is 0 may be set in every
