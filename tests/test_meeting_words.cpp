@@ -57,6 +57,17 @@ void TestMeetingWords::meetingIsTold_data()
     row("", part(true, 1, &PairHit::partsInside, false));
     row(again, [](BothPairs &p) { p.own.twice = contactAt(33.0, 0.2, 0.2, 0.39); });
     row("", [](BothPairs &p) { p.own.twice = p.right.twice = contactAt(33.0, 0.2, 0.2, 0.39); });
+    const auto twice = [](double distance, bool isAnew) -> Spoil {
+        return [=](BothPairs &p) {
+            p.own.twice = contactAt(33.0, 0.2, 0.2, 0.39);
+            p.own.twice->before = distance;
+            p.own.twice->anew = isAnew;
+        };
+    };
+    row(again, twice(0.39, true), "They overlapped and moved apart with ");
+    row(again, twice(0.39, true), "ask whether they come nearer");
+    row(again, twice(0.45, true), "with 0.05 m between their rims; the next step");
+    row(again, twice(0.39, false), "A run that begins so leaves them alone");
     // Of those that meet none is answered.
     row("The circles answer when they part, not when they meet", [](BothPairs &p) {
         forgetAll(p.own.equals);

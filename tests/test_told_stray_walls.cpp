@@ -21,6 +21,7 @@ private slots:
     void whatIsNoWallIsNotCalledOne_data();
     void whatIsNoWallIsNotCalledOne();
     void aLineOfTheFloorIsNoFaultOfTheMotion();
+    void aDirectionThatIsNotTakenOverIsNoWall();
 
 private:
     [[nodiscard]] QString said(const char *step, const QString &walls, const char *headline) const
@@ -91,6 +92,28 @@ void TestToldStrayWalls::whatIsNoWallIsNotCalledOne()
 {
     QFETCH(QString, walls);
     QCOMPARE(said("L42T12", walls, "Far from the "), QString());
+}
+
+/// Turned that way by the wall opposite it goes on.
+void TestToldStrayWalls::aDirectionThatIsNotTakenOverIsNoWall()
+{
+    const QString body = bodyOfProgram("L42T2", QStringLiteral(R"lua(
+            local way_x, way_y = 1, 1
+            local speed
+            function on_load()
+              circle1.velocity = vec(2, 0)
+              speed = vec(math.abs(circle1.velocity.x), math.abs(circle1.velocity.y))
+            end
+            function on_update(h)
+              local room = square.half_width - circle1.radius
+              local p = circle1.position + vec(way_x * speed.x, way_y * speed.y) * h
+              if math.abs(p.x) > room then way_x = p.x > 0 and -1 or 1 end
+              if math.abs(p.y) > room then way_y = p.y > 0 and -1 or 1 end
+              circle1.position = p
+              circle1.velocity = vec(way_x * speed.x, way_y * speed.y)
+            end)lua"),
+                                       "A start towards the left wall turns circle 1 round");
+    QVERIFY2(body.contains(QLatin1String("by the wall opposite, it goes on")), qPrintable(body));
 }
 
 /// A floor one metre too high comes into the places where free flight is looked at.

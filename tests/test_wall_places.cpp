@@ -71,9 +71,10 @@ void TestWallPlaces::faultIsTold_data()
 {
     QTest::addColumn<WallSpoil>("spoil");
     QTest::addColumn<QString>("headline"); // empty: nothing is said
+    QTest::addColumn<QString>("body");
     int rows = 0;
-    const auto row = [&rows](const char *headline, const WallSpoil &spoil) {
-        QTest::addRow("%d. %s", ++rows, headline) << spoil << utf8(headline);
+    const auto row = [&rows](const char *headline, const WallSpoil &spoil, const char *body = "") {
+        QTest::addRow("%d. %s", ++rows, headline) << spoil << utf8(headline) << utf8(body);
     };
     row("", [](BothWalls &) {});
     const char *const restarted = "Hits at the left wall put circle 1 back to the start of the run";
@@ -128,6 +129,15 @@ void TestWallPlaces::faultIsTold_data()
     row("", corner({0.0, -1.0}, true));
     const char *const again = "Circle 1 was turned round again while it left a wall";
     row(again, [](BothWalls &w) { w.own.hits[4].again = 1; });
+    for (const bool isAnew : {false, true}) {
+        row(
+            again,
+            [isAnew](BothWalls &w) {
+                w.own.hits[4].again = 1;
+                w.own.hits[4].isAgainAnew = isAnew;
+            },
+            isAnew ? "ask which way it moves" : "in a run that begins there it goes on");
+    }
     row("", [](BothWalls &w) { w.own.hits[4].again = w.right.hits[4].again = 1; });
     const auto drop = [](const Drop &own, const Drop &right = {}) -> WallSpoil {
         return [=](BothWalls &w) {
@@ -181,10 +191,12 @@ void TestWallPlaces::faultIsTold()
 {
     QFETCH(WallSpoil, spoil);
     QFETCH(QString, headline);
+    QFETCH(QString, body);
     BothWalls both = rightWalls();
     spoil(both);
-    QCOMPARE(headlinesOf(wallDeviations(both.own, both.right, both.ground)),
-             headline.isEmpty() ? QStringList() : QStringList(headline));
+    const auto found = wallDeviations(both.own, both.right, both.ground);
+    QCOMPARE(headlinesOf(found), headline.isEmpty() ? QStringList() : QStringList(headline));
+    QVERIFY(found.empty() || found.front().message.contains(body));
     // Nothing is known of a circle that the reference is not judged by.
     both.right.judged = {1};
     QVERIFY(wallDeviations(both.own, both.right, both.ground).empty());

@@ -237,6 +237,9 @@ void TestWallRebounds::heldIsTold()
         QCOMPARE(words.headline, utf8("Hits at the %walls hold %who and turn no velocity round"));
         QCOMPARE(words.why.contains(utf8("In every step")), stays);
     }
+    own.hits[0].goesBack = true;
+    QCOMPARE(wordsOf(own, right, made::wallGround()).headline,
+             utf8("At the %walls the way of %who turns round, not its velocity"));
     own.hits[0].turnsLater = 2;
     own.hits[0].stage.preset.timestep = 0.01;
     const ReboundWords words = wordsOf(own, right, made::wallGround());

@@ -17,6 +17,10 @@ private slots:
     void whatHappensOnTheWayIsNoAnswer();
     void roundingDisturbsNobody_data();
     void roundingDisturbsNobody();
+    void whoGoesBackAgainstItsVelocityIsSeen_data();
+    void whoGoesBackAgainstItsVelocityIsSeen();
+    void whatIsKeptTurnsNoneAnew_data();
+    void whatIsKeptTurnsNoneAnew();
 };
 
 void TestWallWatch::whatHappensOnTheWayIsNoAnswer_data()
@@ -106,6 +110,80 @@ void TestWallWatch::roundingDisturbsNobody()
         QCOMPARE(hit.kicks, kicks);
         QCOMPARE(hit.disturbs, disturbs);
     }
+}
+
+void TestWallWatch::whoGoesBackAgainstItsVelocityIsSeen_data()
+{
+    QTest::addColumn<QString>("shown"); // of the own y, m/s
+    QTest::addColumn<bool>("goesBack");
+    QTest::newRow("written") << QStringLiteral("v.y") << false;
+    QTest::newRow("not written") << QStringLiteral("circle1.velocity.y") << true;
+}
+
+void TestWallWatch::whoGoesBackAgainstItsVelocityIsSeen()
+{
+    QFETCH(QString, shown);
+    QFETCH(bool, goesBack);
+    const LawBench step(task(QStringLiteral("L42T2")));
+    const QString program = QStringLiteral(R"lua(
+        local v
+        function on_load()
+          circle1.velocity = vec(2, 0)
+          v = circle1.velocity
+        end
+        function on_update(h)
+          local p = circle1.position + v * h
+          local room = square.half_width - circle1.radius
+          if math.abs(p.x) > room and p.x * v.x > 0 then v = vec(-v.x, v.y) end
+          if math.abs(p.y) > room and p.y * v.y > 0 then v = vec(v.x, -v.y) end
+          circle1.position = p
+          circle1.velocity = vec(v.x, %1)
+        end)lua")
+                                .arg(shown);
+    const MeasuredLaws own(&program, step.ground);
+    QVERIFY(!own.walls().hits.empty());
+    for (const WallHit &hit : own.walls().hits)
+        QCOMPARE(hit.goesBack, goesBack && outwardNormal(hit.wall).y != 0.0);
+}
+
+void TestWallWatch::whatIsKeptTurnsNoneAnew_data()
+{
+    QTest::addColumn<QString>("asked");
+    QTest::addColumn<bool>("isAnew");
+    QTest::newRow("what is beyond") << QStringLiteral("c.position.x > room") << true;
+    QTest::newRow("what was beyond") << QStringLiteral("kept") << false;
+}
+
+void TestWallWatch::whatIsKeptTurnsNoneAnew()
+{
+    QFETCH(QString, asked);
+    QFETCH(bool, isAnew);
+    const LawBench step(task(QStringLiteral("L42T2")));
+    const QString program = QStringLiteral(R"lua(
+        local kept = false
+        function on_load()
+          circle1.velocity = vec(2, 0)
+        end
+        function on_update(h)
+          local c = circle1
+          c.position = c.position + c.velocity * h
+          local room = square.half_width - c.radius
+          if %1 then
+            c.velocity = vec(-c.velocity.x, c.velocity.y)
+            c.position = vec(room + 0.1, c.position.y)
+          elseif c.position.x > room and c.velocity.x > 0 then
+            c.velocity = vec(-c.velocity.x, c.velocity.y)
+            kept = true
+          end
+        end)lua")
+                                .arg(asked);
+    const MeasuredLaws own(&program, step.ground);
+    int again = 0;
+    for (const WallHit &hit : own.walls().hits) {
+        again += hit.again > 0;
+        QVERIFY(hit.again == 0 || hit.isAgainAnew == isAnew);
+    }
+    QVERIFY(again > 0);
 }
 
 QTEST_GUILESS_MAIN(TestWallWatch)

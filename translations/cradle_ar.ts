@@ -2167,8 +2167,20 @@ When they touched it was put to %2 m, far from where it came from. Each circle g
         <translation>دائرتان تفترقان بالفعل تُصدمان مرة أخرى</translation>
     </message>
     <message>
-        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
-        <translation>كانتا متداخلتين وتتباعدان بسرعة ⁦%1 m/s⁩؛ فجعلت الخطوة التالية سرعتيهما ⁨%2⁩ و⁦%3 m/s⁩. الدائرتان المتباعدتان سبق أن تصادمتا: اسأل هل تتقاربان.</translation>
+        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s.</source>
+        <translation>كانتا متداخلتين وتتباعدان بسرعة ⁦%1 m/s⁩؛ فجعلت الخطوة التالية سرعتيهما ⁨%2⁩ و⁦%3 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>They moved apart with %1 m/s, with %4 m between their rims; the next step turned them to %2 and %3 m/s.</source>
+        <translation>كانتا تتباعدان بسرعة ⁦%1 m/s⁩، وبين حافتيهما ⁦%4 m⁩؛ فجعلت الخطوة التالية سرعتيهما ⁨%2⁩ و⁦%3 m/s⁩.</translation>
+    </message>
+    <message>
+        <source>Circles that move apart have had their hit: ask whether they come nearer.</source>
+        <translation>الدائرتان المتباعدتان سبق أن تصادمتا: اسأل هل تتقاربان.</translation>
+    </message>
+    <message>
+        <source>A run that begins so leaves them alone: look at what your program keeps from one step to the next.</source>
+        <translation>والتشغيل الذي يبدأ هكذا يتركهما: انظر إلى ما يحفظه برنامجك من خطوة إلى التي تليها.</translation>
     </message>
     <message>
         <source>circle %1</source>
@@ -3427,6 +3439,18 @@ Until this is right, no more can be said of walls and hits.</source>
 وبسبب هذا لا يمكن الحكم على الجدران والتصادمات بعد.</translation>
     </message>
     <message>
+        <source>Circle %1 does not move as its velocity says
+
+At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is %5 m/s, of which the %6 is still that of the start. A program that keeps velocities in variables of its own must assign both parts of them to the circles, as to `circle%1.velocity`.
+
+Until this is right, no more can be said of walls and hits.</source>
+        <translation>لا تتحرك الدائرة ⁨%1⁩ كما تقول سرعتها
+
+عند ⁦%2 s⁩ من مشهدك تتحرك بمقدار ⁦%3 m⁩ في خطوة مدتها ⁦%4 s⁩، وسرعتها ⁦%5 m/s⁩، وما زالت المركّبة ⁦%6⁩ منها كما كانت في البداية. والبرنامج الذي يحفظ السرعات في متغيرات خاصة به يجب أن يسند مركّبتيها معًا إلى الدائرتين، مثل ⁦`circle%1.velocity`⁩.
+
+وبسبب هذا لا يمكن الحكم على الجدران والتصادمات بعد.</translation>
+    </message>
+    <message>
         <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
         <translation>انظر ماذا يأخذ السطر الذي يغيّر الموضع، وما الذي يُسأل قبله.</translation>
     </message>
@@ -3443,6 +3467,10 @@ Until this is right, no more can be said of walls and hits.</source>
         <translation>التصادمات عند %walls تمسك %who ولا تعكس أي سرعة</translation>
     </message>
     <message>
+        <source>At the %walls the way of %who turns round, not its velocity</source>
+        <translation>عند %walls ينعكس مسار %who لا سرعتها</translation>
+    </message>
+    <message>
         <source>Hits at the %walls turn the velocity of %who round too late</source>
         <translation>التصادمات عند %walls تعكس متأخرةً السرعة لـ %who</translation>
     </message>
@@ -3457,6 +3485,10 @@ Until this is right, no more can be said of walls and hits.</source>
     <message>
         <source>It is kept from going on, and its velocity stays as it was.</source>
         <translation>تُمنع الدائرة من المضيّ وتبقى سرعتها كما كانت.</translation>
+    </message>
+    <message>
+        <source>It goes back from the wall while its velocity still points into it: look at what is assigned to that.</source>
+        <translation>تعود من الجدار وسرعتها ما زالت تتجه إليه: انظر إلى ما يُسند إليها.</translation>
     </message>
     <message>
         <source>At the %walls %who gets the velocity of the other circle</source>
@@ -4777,6 +4809,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى. أعدها إلى الداخل، أو اسأل إلى أين تتحرك قبل أن تردّها.</translation>
     </message>
     <message>
+        <source>Circle %1 was turned round again while it left a wall
+
+It was on its way back from the %2 and was turned into it once more; in a run that begins there it goes on. Look at what your program keeps from one step to the next.</source>
+        <translation>رُدّت الدائرة ⁨%1⁩ مرة أخرى وهي تغادر جدارًا
+
+كانت عائدة من ⁨%2⁩ فرُدّت إليه مرة أخرى؛ وفي تشغيل يبدأ من هناك تواصل. انظر إلى ما يحفظه برنامجك من خطوة إلى التي تليها.</translation>
+    </message>
+    <message>
         <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.</source>
         <translation>بسرعة ⁦%1 m/s⁩ و⁦Δt = %2 s⁩ تكون المسافة في الخطوة ⁦%3 m⁩؛ و⁦v&#xa0;Δt⁩ هو ⁦%4 m⁩.</translation>
     </message>
@@ -4837,6 +4877,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
         <translation>شيء ما يردّ %who بعيدًا عن %1</translation>
     </message>
     <message>
+        <source>A start towards the %1 turns %who round</source>
+        <translation>بداية نحو %1 تردّ %who</translation>
+    </message>
+    <message>
         <source>Thrown straight towards the %1 with %2 m/s from %3 m, circle %4 has %5 m/s one step of %6 s later.</source>
         <translation>عند رمي الدائرة ⁨%4⁩ مباشرة نحو %1 بسرعة ⁦%2 m/s⁩ من ⁦%3 m⁩ تصبح سرعتها ⁦%5 m/s⁩ بعد خطوة واحدة مدتها ⁦%6 s⁩.</translation>
     </message>
@@ -4855,6 +4899,10 @@ It was on its way back from the %2 and was turned into it once more. Put it back
     <message>
         <source>Look at what your program asks for that wall, at the lengths there and at their signs.</source>
         <translation>انظر إلى ما يسأله برنامجك عن ذلك الجدار، وإلى الأطوال هناك وإشاراتها.</translation>
+    </message>
+    <message>
+        <source>Turned towards it by the wall opposite, it goes on. Look at what your program takes over of the velocity that a run begins with.</source>
+        <translation>وحين يردّها الجدار المقابل نحوه تواصل. انظر إلى ما يأخذه برنامجك من السرعة التي يبدأ بها التشغيل.</translation>
     </message>
     <message>
         <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>

@@ -2139,8 +2139,20 @@ Als sie sich berührten, wurde er auf %2 m gesetzt, weit von dort, woher er kam.
         <translation>Kreise, die sich schon entfernen, werden noch einmal gestoßen</translation>
     </message>
     <message>
-        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
-        <translation>Sie überlappten und entfernten sich mit %1 m/s; der nächste Schritt machte daraus %2 und %3 m/s. Kreise, die sich entfernen, hatten ihren Stoß schon: Frag, ob sie sich nähern.</translation>
+        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s.</source>
+        <translation>Sie überlappten und entfernten sich mit %1 m/s; der nächste Schritt machte daraus %2 und %3 m/s.</translation>
+    </message>
+    <message>
+        <source>They moved apart with %1 m/s, with %4 m between their rims; the next step turned them to %2 and %3 m/s.</source>
+        <translation>Sie entfernten sich mit %1 m/s, mit %4 m zwischen ihren Rändern; der nächste Schritt machte daraus %2 und %3 m/s.</translation>
+    </message>
+    <message>
+        <source>Circles that move apart have had their hit: ask whether they come nearer.</source>
+        <translation>Kreise, die sich entfernen, hatten ihren Stoß schon: Frag, ob sie sich nähern.</translation>
+    </message>
+    <message>
+        <source>A run that begins so leaves them alone: look at what your program keeps from one step to the next.</source>
+        <translation>Ein Lauf, der so beginnt, lässt sie in Ruhe: Sieh nach, was dein Programm von einem Schritt zum nächsten aufbewahrt.</translation>
     </message>
     <message>
         <source>circle %1</source>
@@ -3403,6 +3415,18 @@ Bei %2 s deiner eigenen Szene bewegt er sich in einem Schritt von %4 s um %3 m; 
 Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</translation>
     </message>
     <message>
+        <source>Circle %1 does not move as its velocity says
+
+At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is %5 m/s, of which the %6 is still that of the start. A program that keeps velocities in variables of its own must assign both parts of them to the circles, as to `circle%1.velocity`.
+
+Until this is right, no more can be said of walls and hits.</source>
+        <translation>Kreis %1 bewegt sich anders, als seine Geschwindigkeit sagt
+
+Bei %2 s deiner eigenen Szene bewegt er sich in einem Schritt von %4 s um %3 m; seine Geschwindigkeit ist %5 m/s, und deren %6 ist noch das vom Start. Ein Programm, das Geschwindigkeiten in eigenen Variablen hält, muss beide Anteile den Kreisen zuweisen, etwa `circle%1.velocity`.
+
+Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</translation>
+    </message>
+    <message>
         <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
         <translation>Sieh dir an, was die Zeile nimmt, die den Ort ändert, und was vor ihr gefragt wird.</translation>
     </message>
@@ -3419,6 +3443,10 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
         <translation>Stöße an %walls halten %who auf und kehren keine Geschwindigkeit um</translation>
     </message>
     <message>
+        <source>At the %walls the way of %who turns round, not its velocity</source>
+        <translation>An %walls kehrt der Weg von %who um, nicht seine Geschwindigkeit</translation>
+    </message>
+    <message>
         <source>Hits at the %walls turn the velocity of %who round too late</source>
         <translation>Stöße an %walls kehren die Geschwindigkeit zu spät um, für %who</translation>
     </message>
@@ -3433,6 +3461,10 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
     <message>
         <source>It is kept from going on, and its velocity stays as it was.</source>
         <translation>Der Kreis kommt nicht weiter, und seine Geschwindigkeit bleibt, wie sie war.</translation>
+    </message>
+    <message>
+        <source>It goes back from the wall while its velocity still points into it: look at what is assigned to that.</source>
+        <translation>Er geht von der Wand zurück, während seine Geschwindigkeit noch hineinzeigt: Sieh nach, was ihr zugewiesen wird.</translation>
     </message>
     <message>
         <source>At the %walls %who gets the velocity of the other circle</source>
@@ -4717,6 +4749,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn nach innen zurück, oder frage, wohin er sich bewegt, bevor du ihn umkehrst.</translation>
     </message>
     <message>
+        <source>Circle %1 was turned round again while it left a wall
+
+It was on its way back from the %2 and was turned into it once more; in a run that begins there it goes on. Look at what your program keeps from one step to the next.</source>
+        <translation>Kreis %1 wurde noch einmal umgekehrt, während er eine Wand verließ
+
+Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt; in einem Lauf, der dort beginnt, fliegt er weiter. Sieh nach, was dein Programm von einem Schritt zum nächsten aufbewahrt.</translation>
+    </message>
+    <message>
         <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.</source>
         <translation>Mit der Geschwindigkeit %1 m/s und Δt = %2 s ist der Weg eines Schritts %3 m; v Δt ist %4 m.</translation>
     </message>
@@ -4777,6 +4817,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
         <translation>Weit vor %1 lässt etwas %who umkehren</translation>
     </message>
     <message>
+        <source>A start towards the %1 turns %who round</source>
+        <translation>Ein Start auf %1 zu kehrt %who um</translation>
+    </message>
+    <message>
         <source>Thrown straight towards the %1 with %2 m/s from %3 m, circle %4 has %5 m/s one step of %6 s later.</source>
         <translation>Gerade zu %1 hin geworfen, mit %2 m/s von %3 m aus, hat Kreis %4 einen Schritt von %6 s später %5 m/s.</translation>
     </message>
@@ -4795,6 +4839,10 @@ Er war auf dem Rückweg von %2 und wurde noch einmal hineingekehrt. Setze ihn na
     <message>
         <source>Look at what your program asks for that wall, at the lengths there and at their signs.</source>
         <translation>Sieh nach, was dein Programm für diese Wand fragt, welche Längen dort stehen und mit welchem Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Turned towards it by the wall opposite, it goes on. Look at what your program takes over of the velocity that a run begins with.</source>
+        <translation>Von der Wand gegenüber dorthin gekehrt, fliegt er weiter. Sieh nach, was dein Programm von der Geschwindigkeit übernimmt, mit der ein Lauf beginnt.</translation>
     </message>
     <message>
         <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>

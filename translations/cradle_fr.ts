@@ -2143,8 +2143,20 @@ Au contact, il a été mis en %2 m, loin d&apos;où il venait. Chaque cercle ret
         <translation>Des cercles qui se séparent déjà subissent un nouveau choc</translation>
     </message>
     <message>
-        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s. Circles that move apart have had their hit: ask whether they come nearer.</source>
-        <translation>Ils se chevauchaient et s&apos;éloignaient l&apos;un de l&apos;autre à %1 m/s&#xa0;; le pas suivant a donné %2 et %3 m/s. Des cercles qui s&apos;éloignent ont déjà eu leur choc&#xa0;: demandez s&apos;ils se rapprochent.</translation>
+        <source>They overlapped and moved apart with %1 m/s; the next step turned them to %2 and %3 m/s.</source>
+        <translation>Ils se chevauchaient et s&apos;éloignaient l&apos;un de l&apos;autre à %1 m/s&#xa0;; le pas suivant a donné %2 et %3 m/s.</translation>
+    </message>
+    <message>
+        <source>They moved apart with %1 m/s, with %4 m between their rims; the next step turned them to %2 and %3 m/s.</source>
+        <translation>Ils s&apos;éloignaient l&apos;un de l&apos;autre à %1 m/s, avec %4 m entre leurs bords&#xa0;; le pas suivant a donné %2 et %3 m/s.</translation>
+    </message>
+    <message>
+        <source>Circles that move apart have had their hit: ask whether they come nearer.</source>
+        <translation>Des cercles qui s&apos;éloignent ont déjà eu leur choc&#xa0;: demandez s&apos;ils se rapprochent.</translation>
+    </message>
+    <message>
+        <source>A run that begins so leaves them alone: look at what your program keeps from one step to the next.</source>
+        <translation>Une exécution qui commence ainsi les laisse en paix&#xa0;: regardez ce que votre programme garde d&apos;un pas au suivant.</translation>
     </message>
     <message>
         <source>circle %1</source>
@@ -3403,6 +3415,18 @@ Until this is right, no more can be said of walls and hits.</source>
 De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translation>
     </message>
     <message>
+        <source>Circle %1 does not move as its velocity says
+
+At %2 s of your own scene it moves by %3 m in a step of %4 s; its velocity is %5 m/s, of which the %6 is still that of the start. A program that keeps velocities in variables of its own must assign both parts of them to the circles, as to `circle%1.velocity`.
+
+Until this is right, no more can be said of walls and hits.</source>
+        <translation>Le cercle %1 ne bouge pas comme le dit sa vitesse
+
+À %2 s de votre propre scène, il se déplace de %3 m en un pas de %4 s ; sa vitesse est %5 m/s, dont le %6 est encore celui du départ. Un programme qui garde des vitesses dans ses propres variables doit en donner les deux composantes aux cercles, par exemple à `circle%1.velocity`.
+
+De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translation>
+    </message>
+    <message>
         <source>Look at what the line that changes the position takes, and at what is asked before it.</source>
         <translation>Regardez ce que prend la ligne qui change la position, et ce qui est demandé avant elle.</translation>
     </message>
@@ -3419,6 +3443,10 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
         <translation>Les chocs contre %walls retiennent %who et n&apos;inversent aucune vitesse</translation>
     </message>
     <message>
+        <source>At the %walls the way of %who turns round, not its velocity</source>
+        <translation>Près de %walls, le chemin de %who fait demi-tour, pas sa vitesse</translation>
+    </message>
+    <message>
         <source>Hits at the %walls turn the velocity of %who round too late</source>
         <translation>Les chocs contre %walls inversent trop tard la vitesse, pour %who</translation>
     </message>
@@ -3433,6 +3461,10 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
     <message>
         <source>It is kept from going on, and its velocity stays as it was.</source>
         <translation>Le cercle est empêché d&apos;avancer, et sa vitesse reste ce qu&apos;elle était.</translation>
+    </message>
+    <message>
+        <source>It goes back from the wall while its velocity still points into it: look at what is assigned to that.</source>
+        <translation>Il s&apos;éloigne de la paroi alors que sa vitesse pointe encore vers elle&#xa0;: regardez ce qui lui est affecté.</translation>
     </message>
     <message>
         <source>At the %walls %who gets the velocity of the other circle</source>
@@ -4717,6 +4749,14 @@ It was on its way back from the %2 and was turned into it once more. Put it back
 Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;intérieur, ou demandez dans quel sens il va avant de le renvoyer.</translation>
     </message>
     <message>
+        <source>Circle %1 was turned round again while it left a wall
+
+It was on its way back from the %2 and was turned into it once more; in a run that begins there it goes on. Look at what your program keeps from one step to the next.</source>
+        <translation>Le cercle %1 a été renvoyé une seconde fois alors qu&apos;il quittait une paroi
+
+Il revenait de ceci&#xa0;: %2, et y a été renvoyé&#xa0;; dans une exécution qui commence là, il continue. Regardez ce que votre programme garde d&apos;un pas au suivant.</translation>
+    </message>
+    <message>
         <source>With the velocity %1 m/s and Δt = %2 s the way of a step is %3 m; v Δt is %4 m.</source>
         <translation>Avec la vitesse %1 m/s et Δt = %2 s, le chemin d&apos;un pas est de %3 m&#xa0;; v Δt vaut %4 m.</translation>
     </message>
@@ -4777,6 +4817,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
         <translation>Bien avant %1, quelque chose renvoie %who</translation>
     </message>
     <message>
+        <source>A start towards the %1 turns %who round</source>
+        <translation>Un départ vers %1 renvoie %who</translation>
+    </message>
+    <message>
         <source>Thrown straight towards the %1 with %2 m/s from %3 m, circle %4 has %5 m/s one step of %6 s later.</source>
         <translation>Lancé droit vers %1 avec %2 m/s depuis %3 m, le cercle %4 a %5 m/s un pas de %6 s plus tard.</translation>
     </message>
@@ -4795,6 +4839,10 @@ Il revenait de ceci&#xa0;: %2, et y a été renvoyé. Remettez-le à l&apos;int�
     <message>
         <source>Look at what your program asks for that wall, at the lengths there and at their signs.</source>
         <translation>Regardez ce que votre programme demande pour cette paroi, les longueurs qui s&apos;y trouvent et leurs signes.</translation>
+    </message>
+    <message>
+        <source>Turned towards it by the wall opposite, it goes on. Look at what your program takes over of the velocity that a run begins with.</source>
+        <translation>Tourné vers elle par la paroi d&apos;en face, il continue. Regardez ce que votre programme reprend de la vitesse avec laquelle une exécution commence.</translation>
     </message>
     <message>
         <source>The position does not change, either. Look at whether the lines that move a circle are reached in every step, and for which circle.</source>

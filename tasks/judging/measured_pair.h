@@ -65,10 +65,11 @@ struct PairHit {
     int misplacedCircle = 0;                 ///< whose, from 0
     bool again = false;                      ///< of those that part: it was answered again at once
     bool afterRest = false;                  ///< and in a step after one in which they rested
-    bool anew = false;                       ///< and when they were set so once more
-    bool partsInside = false;                ///< after that they overlap still, and move apart
-    qint64 step = 0;                         ///< in which it was answered, from 1
-    bool isAtOnce = false;                   ///< in the first that was looked at
+    /// And when they were set so once more; of one after a hit: as the first of a run.
+    bool anew = false;
+    bool partsInside = false; ///< after that they overlap still, and move apart
+    qint64 step = 0;          ///< in which it was answered, from 1
+    bool isAtOnce = false;    ///< in the first that was looked at
     Stage stage{};
 
     /// Whether it was answered when they met, not while they ran through each other.

@@ -22,27 +22,31 @@ struct WallHit {
     double restitution = 1.0;
     double radius = 0.2;
     double otherRadius = 0.2;
-    bool missed = false;    ///< it never came to the wall
-    bool turned = false;    ///< its velocity changed at the wall
-    bool held = false;      ///< it was put back, but its velocity did not change
-    int turnsLater = 0;     ///< how many steps later that points away from the wall; 0: never seen
-    double before = 0.0;    ///< of the centre from the wall in the state before it was answered
-    double reached = 0.0;   ///< and where it would have got in that step
-    double travel = 0.0;    ///< way of a step towards the wall
-    double back = 0.0;      ///< normal part after / before, turned round: 1 is elastic
-    double along = 1.0;     ///< part along the wall after / before
-    Vec2 was{};             ///< velocity before that step, m/s
-    Vec2 came{};            ///< and that it came with
-    Vec2 left{};            ///< and left with
-    int again = 0;          ///< how often it was turned towards the wall while it left it
+    bool missed = false;  ///< it never came to the wall
+    bool turned = false;  ///< its velocity changed at the wall
+    bool held = false;    ///< it was put back, but its velocity did not change
+    int turnsLater = 0;   ///< how many steps later that points away from the wall; 0: never seen
+    double before = 0.0;  ///< of the centre from the wall in the state before it was answered
+    double reached = 0.0; ///< and where it would have got in that step
+    double travel = 0.0;  ///< way of a step towards the wall
+    double back = 0.0;    ///< normal part after / before, turned round: 1 is elastic
+    double along = 1.0;   ///< part along the wall after / before
+    Vec2 was{};           ///< velocity before that step, m/s
+    Vec2 came{};          ///< and that it came with
+    Vec2 left{};          ///< and left with
+    int again = 0;        ///< how often it was turned towards the wall while it left it
+    /// Whether a run that begins with the state before the first of these turns it so, too.
+    bool isAgainAnew = false;
     bool turnsBoth = false; ///< a few steps later both parts point back
     bool isLost = false;    ///< it was answered far beyond the wall, where something else came true
     bool stays = false;     ///< it does not come away from the wall
-    double after = 0.0;     ///< of the centre from the wall after the answer
-    double leap = 0.0;      ///< from both the old place and where it would have got
-    Vec2 landed{};          ///< where it was after the answer
-    bool disturbs = false;  ///< another circle did not fly on freely meanwhile
-    bool kicks = false;     ///< its velocity, too, was changed
+    /// Whether it comes away from the wall though its velocity points into it all that time.
+    bool goesBack = false;
+    double after = 0.0;                  ///< of the centre from the wall after the answer
+    double leap = 0.0;                   ///< from both the old place and where it would have got
+    Vec2 landed{};                       ///< where it was after the answer
+    bool disturbs = false;               ///< another circle did not fly on freely meanwhile
+    bool kicks = false;                  ///< its velocity, too, was changed
     std::optional<WallStep> near{};      ///< on its way to the wall, before its rim was there
     std::optional<WallStep> unchanged{}; ///< after it was turned, as if it had not been
     bool isAnewSo = false;               ///< a run that begins with that step makes it alike
@@ -96,7 +100,9 @@ struct Drop {
     int circle = 0;
     Wall wall = Wall::Bottom; ///< or the ceiling, to which it is thrown slowly
     double restitution = 1.0;
-    int again = 0;      ///< how often it was turned down while it rose
+    int again = 0; ///< how often it was turned down while it rose
+    /// Whether a run that begins with the state before the first of these turns it so, too.
+    bool isAgainAnew = false;
     double depth = 0.0; ///< how deep its rim is below the floor at the end, m
     bool sinks = false; ///< it was less deep before
     qint64 step = 0;    ///< the first such step, or the last of all

@@ -157,18 +157,34 @@ private:
     void findTwice()
     {
         if (m_found.empty() && answersRightly() && m_own.twice && !m_right.twice)
-            addParting(ContactText::tr("Circles that already part are hit again"), *m_own.twice);
+            addParting(ContactText::tr("Circles that already part are hit again"), *m_own.twice,
+                       m_own.twice->anew ? Asks::Nearing : Asks::Kept);
     }
 
-    void addParting(const QString &headline, const PairHit &hit)
+    /// What decides whether they are hit: what is asked of them, or what is kept of steps before.
+    enum class Asks { Nearing, Kept };
+
+    void addParting(const QString &headline, const PairHit &hit, Asks asks = Asks::Nearing)
     {
+        // To what rounding makes of a place that was put right.
+        const double gap = hit.before - hit.meeting.sum();
+        const QString seen =
+            gap < 1e-9
+                ? ContactText::tr("They overlapped and moved apart with %1 m/s; the next step "
+                                  "turned them to %2 and %3 m/s.")
+                : ContactText::tr("They moved apart with %1 m/s, with %4 m between their rims; the "
+                                  "next step turned them to %2 and %3 m/s.")
+                      .replace(QLatin1String("%4"), brief(gap));
+        const QString why =
+            asks == Asks::Nearing
+                ? ContactText::tr("Circles that move apart have had their hit: ask whether they "
+                                  "come nearer.")
+                : ContactText::tr("A run that begins so leaves them alone: look at what your "
+                                  "program keeps from one step to the next.");
         add(headline,
-            ContactText::tr(
-                "They overlapped and moved apart with %1 m/s; the next step turned them "
-                "to %2 and %3 m/s. Circles that move apart have had their hit: ask "
-                "whether they come nearer.")
-                .arg(brief(hit.slowness * dot(hit.came2 - hit.came1, hit.nextNormal)),
-                     brief(hit.slowness * hit.left1), brief(hit.slowness * hit.left2)),
+            seen.arg(brief(hit.slowness * dot(hit.came2 - hit.came1, hit.nextNormal)),
+                     brief(hit.slowness * hit.left1), brief(hit.slowness * hit.left2))
+                + QLatin1Char(' ') + why,
             hit);
     }
 };

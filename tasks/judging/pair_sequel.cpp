@@ -139,8 +139,11 @@ std::optional<PairHit> PairRange::twice(const Meeting &meeting) const
         note(hit, before, probe, k);
         if (first == 0 && hit.isMet())
             first = k;
-        else if (first > 0 && hit.answered && hit.parting)
+        else if (first > 0 && hit.answered && hit.parting) {
+            const PairHit again = anew(before, meeting.restitution);
+            hit.anew = again.answered && again.step == 1;
             return hit;
+        }
     }
     return std::nullopt;
 }

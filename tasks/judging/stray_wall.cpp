@@ -40,7 +40,12 @@ public:
             if (!isTurned)
                 goesOn = place;
             else if (!found)
-                found = StrayWall{wall, place, to.start, to.is, to.wanted, to.stage};
+                found = StrayWall{.wall = wall,
+                                  .from = place,
+                                  .before = to.start,
+                                  .after = to.is,
+                                  .wanted = to.wanted,
+                                  .stage = to.stage};
             // Where circles are turned it may ask for no direction.
             if (!isTurned && !goesRightly(thrown(n, place, -speed)))
                 return std::nullopt;
@@ -52,6 +57,7 @@ public:
             const bool goesBack = std::all_of(places.begin(), places.end(), [&](double place) {
                 return goesRightly(thrown(n, place, -speed));
             });
+            found->isOfStart = goesOnAfterTurn(n);
             return goesBack ? found : std::nullopt;
         }
         double inside = goesOn;
@@ -80,6 +86,34 @@ private:
         Motion wanted{};
         Stage stage{};
     };
+
+    /// Whether a circle that comes to the opposite wall, and is turned towards this one there, goes
+    /// on so from there for some steps.
+    [[nodiscard]] bool goesOnAfterTurn(Vec2 n) const
+    {
+        constexpr double gap = 0.03; // of its rim from that wall, m: gravity does not turn it there
+        constexpr double fast = 0.3 * speed;
+        constexpr int mostSteps = 20;
+        constexpr int someSteps = 4;
+        const double halfWidth = m_ground.stage().halfWidth;
+        const double radius = m_ground.stage().circles[m_i].body.radius;
+        const Throw to = thrown(n, radius + gap - halfWidth, -speed);
+        if (!to.made)
+            return false;
+        Probe probe(m_program, to.stage);
+        int steps = 0; // towards this wall
+        for (int k = 0; k < mostSteps && steps < someSteps; ++k) {
+            const double before = dot(probe.circle(static_cast<int>(m_i)).velocity, n);
+            if (!probe.step())
+                return false;
+            const Circle &now = probe.circle(static_cast<int>(m_i));
+            const bool isTowards = dot(now.velocity, n) > 0.0 && dot(now.position, n) < 0.0;
+            if (steps > 0 ? !isTowards : isTowards && before > -fast)
+                return false;
+            steps += isTowards ? 1 : 0;
+        }
+        return steps >= someSteps;
+    }
 
     [[nodiscard]] Throw thrown(Vec2 n, double place, double towards) const
     {

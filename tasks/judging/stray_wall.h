@@ -17,6 +17,9 @@ struct StrayWall {
     /// How far from the middle, towards the wall, the centre comes in a step where that begins, m;
     /// nothing where it is so at all places tried.
     std::optional<double> from{};
+    /// Whether only the start is turned so: once the opposite wall has turned a circle towards this
+    /// one, it goes on.
+    bool isOfStart = false;
     Circle before{}; ///< one that was turned
     Motion after{};  ///< and what it was one step later
     Motion wanted{}; ///< and should have been

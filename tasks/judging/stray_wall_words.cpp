@@ -33,15 +33,21 @@ public:
         if (length(off) > far)
             seen += QLatin1Char(' ')
                     + FlightText::tr("It is at %1 m then.").arg(brief(wall->after.position));
+        const QString headline = wall->isOfStart
+                                     ? FlightText::tr("A start towards the %1 turns %who round")
+                                     : FlightText::tr("Far from the %1 something turns %who round");
         FlightSaid fault =
-            said(FlightText::tr("Far from the %1 something turns %who round")
-                     .arg(motion::wallName(wall->wall)),
+            said(headline.arg(motion::wallName(wall->wall)),
                  seen + QLatin1Char(' ') + where(*wall) + QLatin1Char(' ')
-                     + FlightText::tr("Look at what your program asks for that wall, at the "
-                                      "lengths there and at their signs."),
+                     + (wall->isOfStart
+                            ? FlightText::tr("Turned towards it by the wall opposite, it goes on. "
+                                             "Look at what your program takes over of the "
+                                             "velocity that a run begins with.")
+                            : FlightText::tr("Look at what your program asks for that wall, at "
+                                             "the lengths there and at their signs.")),
                  false);
         fault.moment = {wall->stage, 1, {m_i}, false};
-        fault.suspect = Suspect::Question;
+        fault.suspect = wall->isOfStart ? Suspect::Answer : Suspect::Question;
         fault.isOfWall = true;
         return fault;
     }

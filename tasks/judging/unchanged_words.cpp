@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace cradle {
 
@@ -41,7 +42,14 @@ void look(const World &world, const Preset &scene, std::vector<Seen> &all)
     }
 }
 
-/// What was seen of a circle that moves.
+constexpr double noWay = 1e-9; ///< what is nothing but rounding, m
+
+bool isWayOf(Vec2 made, Vec2 wanted)
+{
+    return length(made - wanted) <= noWay;
+}
+
+/// What was seen of a circle that moves, in all directions or along one axis.
 struct Course {
     bool isSame = true; ///< its velocity
     Vec2 forward{};   ///< way of a step: that of the velocity of the start or, of what rests there,
@@ -52,7 +60,7 @@ struct Course {
     /// \param way  of a step, m
     void take(Vec2 way)
     {
-        if (forward == Vec2{})
+        if (forward == Vec2{} && length(way) > noWay)
             forward = way;
         if (forward == Vec2{})
             return;
@@ -68,6 +76,54 @@ struct Course {
     }
 };
 
+/// Of a vector (1, 1): all of it, its x, its y.
+constexpr std::array<Vec2, 3> parts{Vec2{1.0, 1.0}, Vec2{1.0, 0.0}, Vec2{0.0, 1.0}};
+
+Vec2 partOf(Vec2 v, std::size_t part)
+{
+    return {parts[part].x * v.x, parts[part].y * v.y};
+}
+
+/// The courses of one circle: the whole one, that along x and that along y.
+using Courses = std::array<Course, parts.size()>;
+
+Courses coursesFrom(Vec2 velocity, double timestep, bool mayBePushed)
+{
+    Courses all;
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        const Vec2 v = partOf(velocity, part);
+        // What rests is moved by a hit only.
+        all[part] = {.isSame = v != Vec2{} || mayBePushed, .forward = timestep * v};
+    }
+    return all;
+}
+
+/// \param axis  whose part of the velocity alone is still that of the start; else all of it is
+QString unwrittenText(int circle, const World &world, Vec2 way, double timestep,
+                      const QString &axis)
+{
+    const Vec2 v = world.circles[static_cast<std::size_t>(circle)].velocity;
+    const QString text =
+        axis.isEmpty()
+            ? UnchangedText::tr(
+                "Circle %1 does not move as its velocity says\n\nAt %2 s of your own "
+                "scene it moves by %3 m in a step of %4 s; its velocity is still "
+                "the %5 m/s of the start. A program that keeps velocities in "
+                "variables of its own must also assign them to the circles, as to "
+                "`circle%1.velocity`.\n\nUntil this is right, no more can be said of "
+                "walls and hits.")
+            : UnchangedText::tr(
+                "Circle %1 does not move as its velocity says\n\nAt %2 s of your own scene it "
+                "moves by %3 m in a step of %4 s; its velocity is %5 m/s, of which the %6 is "
+                "still that of the start. A program that keeps velocities in variables of its "
+                "own must assign both parts of them to the circles, as to "
+                "`circle%1.velocity`.\n\nUntil this is right, no more can be said of walls and "
+                "hits.");
+    return text.arg(circle + 1)
+        .arg(brief(world.time), brief(way), briefTimestep(timestep), brief(v))
+        .replace(QLatin1String("%6"), axis);
+}
+
 } // namespace
 
 std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Ground &ground)
@@ -76,42 +132,41 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
     if (!probe.runs())
         return std::nullopt;
     const Preset &scene = probe.start();
-    std::vector<Course> all;
-    for (const auto &each : scene.circles) {
-        const Vec2 v = each.body.velocity;
-        // What rests is moved by a hit only.
-        all.push_back({.isSame = v != Vec2{} || ground.pair.asked, .forward = scene.timestep * v});
-    }
+    std::vector<Courses> all;
+    for (const auto &each : scene.circles)
+        all.push_back(coursesFrom(each.body.velocity, scene.timestep, ground.pair.asked));
     const auto isAnySame = [&] {
-        return std::any_of(all.begin(), all.end(), [](const Course &c) { return c.isSame; });
+        return std::any_of(all.begin(), all.end(), [](const Courses &of) {
+            return std::any_of(of.begin(), of.end(), [](const Course &c) { return c.isSame; });
+        });
     };
     while (probe.world().time < longEnough && isAnySame()) {
         const std::vector<Circle> before = probe.world().circles;
         if (!probe.step())
             return std::nullopt;
+        const bool isFirst = probe.world().time < 1.5 * scene.timestep;
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Circle &after = probe.world().circles[i];
             const Vec2 v = scene.circles[i].body.velocity;
             const Vec2 way = after.position - before[i].position;
-            all[i].isSame &= after.velocity == v;
-            all[i].take(way);
-            if (!all[i].isTold(v == Vec2{}))
-                continue;
-            const int circle = static_cast<int>(i);
-            return LawDeviation{
-                .aspect = Aspect::Motion,
-                .message =
-                    UnchangedText::tr(
-                        "Circle %1 does not move as its velocity says\n\nAt %2 s of your own "
-                        "scene it moves by %3 m in a step of %4 s; its velocity is still "
-                        "the %5 m/s of the start. A program that keeps velocities in "
-                        "variables of its own must also assign them to the circles, as to "
-                        "`circle%1.velocity`.\n\nUntil this is right, no more can be said of "
-                        "walls and hits.")
-                        .arg(circle + 1)
-                        .arg(brief(probe.world().time), brief(way), briefTimestep(scene.timestep),
-                             brief(v)),
-                .moment = {.stage = {ground.own, false}, .circles = {circle}, .isPosition = true}};
+            for (std::size_t part = 0; part < parts.size(); ++part) {
+                Course &course = all[i][part];
+                course.isSame &= partOf(after.velocity - v, part) == Vec2{};
+                // What is moved by another part from the start is no velocity of its own.
+                course.isSame &=
+                    part == 0 || !isFirst || isWayOf(partOf(way, part), course.forward);
+                course.take(partOf(way, part));
+                if (!course.isTold(partOf(v, part) == Vec2{}))
+                    continue;
+                const int circle = static_cast<int>(i);
+                const QString axis =
+                    all[i].front().isSame ? QString() : QString(QChar(part == 1 ? u'x' : u'y'));
+                return LawDeviation{
+                    .aspect = Aspect::Motion,
+                    .message = unwrittenText(circle, probe.world(), way, scene.timestep, axis),
+                    .moment = {
+                        .stage = {ground.own, false}, .circles = {circle}, .isPosition = true}};
+            }
         }
     }
     return std::nullopt;

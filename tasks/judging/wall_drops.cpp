@@ -42,13 +42,16 @@ Drop WallRange::lob(int circle, double e, double speed) const
     const Flight &flight = m_flight.at(preset.gravity, h, circle);
     Probe probe(m_program, lob.stage);
     for (int k = 1; k <= stepsOfLob; ++k) {
-        const Circle before = probe.circle(circle);
+        const World was = probe.world();
+        const Circle &before = was.circles[static_cast<std::size_t>(circle)];
         if (!probe.step())
             break;
         const double free = flight.after(before, h).velocity.y;
         const bool isHigh = before.position.y > preset.halfWidth - 2.0 * before.radius;
         if (isHigh && before.velocity.y < 0.0 && free < 0.0
             && probe.circle(circle).velocity.y > wallKick * (1.0 - free)) {
+            if (lob.again == 0)
+                lob.isAgainAnew = turnsAnew(lob.stage, was, circle, lob.wall);
             ++lob.again;
             lob.step = lob.step == 0 ? k : lob.step;
         }
@@ -76,7 +79,8 @@ Drop WallRange::drop(int circle, double e, double height) const
     Probe probe(m_program, drop.stage);
     double halfway = 0.0;
     for (int k = 1; k <= stepsOfDrop; ++k) {
-        const Circle before = probe.world().circles[static_cast<std::size_t>(circle)];
+        const World was = probe.world();
+        const Circle &before = was.circles[static_cast<std::size_t>(circle)];
         if (!probe.step())
             break;
         const Circle &after = probe.circle(circle);
@@ -84,6 +88,8 @@ Drop WallRange::drop(int circle, double e, double height) const
         const bool isLow = before.position.y < -preset.halfWidth + 2.0 * before.radius;
         if (isLow && before.velocity.y > 0.0 && free > 0.0
             && after.velocity.y < -wallKick * (1.0 + free)) {
+            if (drop.again == 0)
+                drop.isAgainAnew = turnsAnew(drop.stage, was, circle, drop.wall);
             ++drop.again;
             drop.step = drop.step == 0 ? k : drop.step;
         }

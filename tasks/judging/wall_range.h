@@ -119,6 +119,10 @@ private:
 
     /// Whether a run that begins \p from the answer puts the circle where the step after it did.
     [[nodiscard]] bool isSoAnew(const WallHit &hit, const World &from) const;
+    /// Whether a run of \p stage that begins with the circles of \p from turns that circle into
+    /// \p wall in its first step.
+    [[nodiscard]] bool turnsAnew(const Stage &stage, const World &from, int circle,
+                                 Wall wall) const;
 
     /// What happens in the steps after the answer.
     void follow(WallHit &hit, Probe &probe) const;

@@ -44,6 +44,10 @@ public:
                         .arg(brief(hit.turnsLater * hit.stage.preset.timestep),
                              briefTimestep(hit.stage.preset.timestep)),
                     true, false};
+        if (hit.held && hit.goesBack)
+            return {WallText::tr("At the %walls the way of %who turns round, not its velocity"),
+                    WallText::tr("It goes back from the wall while its velocity still points into "
+                                 "it: look at what is assigned to that.")};
         if (hit.held)
             return {WallText::tr("Hits at the %walls hold %who and turn no velocity round"),
                     hit.stays ? WallText::tr("In every step it is kept from going on, and its "

@@ -26,6 +26,13 @@ bool isMoved(const Circle &now, const Motion &free)
     return length(now.position - free.position) > 1e-7;
 }
 
+Stage beginningAt(Stage stage, const World &from)
+{
+    for (std::size_t i = 0; i < from.circles.size(); ++i)
+        stage.preset.circles[i].body = from.circles[i];
+    return stage;
+}
+
 double distanceFrom(Wall wall, double halfWidth, Vec2 place)
 {
     return halfWidth - dot(outwardNormal(wall), place);
@@ -155,12 +162,16 @@ void WallRange::note(WallHit &hit, const std::vector<Circle> &before, const Circ
 
 bool WallRange::isSoAnew(const WallHit &hit, const World &from) const
 {
-    Stage stage = hit.stage;
-    for (std::size_t i = 0; i < from.circles.size(); ++i)
-        stage.preset.circles[i].body = from.circles[i];
-    Probe probe(m_program, stage);
+    Probe probe(m_program, beginningAt(hit.stage, from));
     return probe.runs() && probe.step()
            && length(probe.circle(hit.circle).position - hit.unchanged->now.position) < 1e-9;
+}
+
+bool WallRange::turnsAnew(const Stage &stage, const World &from, int circle, Wall wall) const
+{
+    Probe probe(m_program, beginningAt(stage, from));
+    return probe.runs() && probe.step()
+           && dot(outwardNormal(wall), probe.circle(circle).velocity) > 0.0;
 }
 
 void WallRange::follow(WallHit &hit, Probe &probe) const
@@ -169,21 +180,27 @@ void WallRange::follow(WallHit &hit, Probe &probe) const
     Circle c = probe.circle(hit.circle);
     const World left = probe.world();
     WallStep next{};
-    int unmoved = 0; // steps, though its velocity points away from the wall
+    int unmoved = 0;      // steps, though its velocity points away from the wall
+    bool pointsIn = true; // in all of them
     for (int k = 0; k < stepsAfterwards; ++k) {
+        const World before = probe.world();
         if (!probe.step())
             return;
         const Circle &now = probe.circle(hit.circle);
         const Motion free = flightOf(hit.circle).after(c, m_h);
         const bool leaves = dot(n, c.velocity) < 0.0 && dot(n, free.velocity) < 0.0;
         const double away = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
-        if (leaves && dot(n, now.velocity) > 0.0 && away < hit.radius + hit.travel)
+        if (leaves && dot(n, now.velocity) > 0.0 && away < hit.radius + hit.travel) {
+            if (hit.again == 0)
+                hit.isAgainAnew = turnsAnew(hit.stage, before, hit.circle, hit.wall);
             ++hit.again;
+        }
         const bool staysThere = dot(n, now.position - c.position) > -smallShare * hit.travel
                                 && dot(n, now.position - free.position) > 0.5 * hit.travel;
         unmoved = leaves && staysThere && k == unmoved ? unmoved + 1 : unmoved;
         if (hit.turnsLater == 0 && dot(n, now.velocity) < 0.0 && dot(n, free.velocity) > 0.0)
             hit.turnsLater = k + 1;
+        pointsIn &= dot(n, now.velocity) > 0.0;
         if (k == 0)
             next = {c, {now.position, now.velocity}, free, hit.step + 1};
         c = now;
@@ -200,6 +217,7 @@ void WallRange::follow(WallHit &hit, Probe &probe) const
                     && dot(perpendicular(n), c.velocity) * dot(perpendicular(n), hit.came) < 0.0;
     const double distance = distanceFrom(hit.wall, hit.stage.preset.halfWidth, c.position);
     hit.stays = distance < hit.after + 0.5 * hit.travel;
+    hit.goesBack = pointsIn && distance > hit.after + 3.5 * hit.travel;
 }
 
 void WallRange::lookAtOthers(WallHit &hit, const std::vector<Circle> &before,

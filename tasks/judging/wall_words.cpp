@@ -143,13 +143,14 @@ private:
             const WallHit &hit = m_own.hits[i];
             if (hit.again == 0 || rightOf(i).again > 0)
                 continue;
-            addAgain(hit.circle, hit.wall, hit.stage, hit.step);
+            addAgain(hit.wall, {hit.stage, hit.step, {hit.circle}, false}, hit.isAgainAnew);
             return;
         }
         for (std::size_t i = 0; i < m_own.drops.size(); ++i) {
             const Drop &drop = m_own.drops[i];
             if (drop.again > 0 && !rightTurns) {
-                addAgain(drop.circle, drop.wall, drop.stage, drop.step);
+                addAgain(drop.wall, {drop.stage, drop.step, {drop.circle}, false},
+                         drop.isAgainAnew);
                 return;
             }
             // A floor that gives all back is not asked to hold what lies on it.
@@ -178,20 +179,25 @@ private:
         }
     }
 
-    void addAgain(int circle, Wall wall, const Stage &stage, qint64 step)
+    /// \param isAnew  see WallHit::isAgainAnew
+    void addAgain(Wall wall, const Moment &moment, bool isAnew)
     {
         // Who turns at another place than the rim may be outside still for that reason alone.
         if (m_isElsewhere)
             return;
-        m_found.push_back(
-            {Aspect::Walls,
-             WallText::tr("Circle %1 was turned round again while it left a wall\n\nIt was on its "
-                          "way back from the %2 and was turned into it once more. Put it back "
-                          "inside, or ask which way it moves before you turn it.")
-                 .arg(circle + 1)
-                 .arg(motion::wallName(wall)),
-             {stage, step, {circle}, false},
-             Suspect::Question});
+        const QString text =
+            isAnew ? WallText::tr(
+                "Circle %1 was turned round again while it left a wall\n\nIt was on its "
+                "way back from the %2 and was turned into it once more. Put it back "
+                "inside, or ask which way it moves before you turn it.")
+                   : WallText::tr(
+                       "Circle %1 was turned round again while it left a wall\n\nIt was on its "
+                       "way back from the %2 and was turned into it once more; in a run that "
+                       "begins there it goes on. Look at what your program keeps from one step to "
+                       "the next.");
+        m_found.push_back({Aspect::Walls,
+                           text.arg(moment.circles.front() + 1).arg(motion::wallName(wall)), moment,
+                           Suspect::Question});
     }
 
     std::vector<LawDeviation> m_found;
