@@ -52,7 +52,9 @@ public:
                         FaultLines(m_task, m_submission, m_deviations, m_own, m_right, m_ground,
                                    m_provesLines && work < mostWorkToProve));
         take(Aspect::Start, m_deviations.of(m_own, Aspect::Start));
-        if (const auto unwritten = unwrittenVelocity(m_submission.program(), m_ground)) {
+        const bool isFlightRight = m_deviations.of(m_own, Aspect::Motion).empty();
+        if (const auto unwritten =
+                unwrittenVelocity(m_submission.program(), m_ground, isFlightRight)) {
             m_found->addWritten(*unwritten);
             return m_found->take();
         }

@@ -126,8 +126,10 @@ QString unwrittenText(int circle, const World &world, Vec2 way, double timestep,
 
 } // namespace
 
-std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Ground &ground)
+std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Ground &ground,
+                                              bool isFlightRight)
 {
+    const std::size_t most = isFlightRight ? parts.size() : 1;
     Probe probe(program, {ground.own, false});
     if (!probe.runs())
         return std::nullopt;
@@ -149,7 +151,7 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
             const Circle &after = probe.world().circles[i];
             const Vec2 v = scene.circles[i].body.velocity;
             const Vec2 way = after.position - before[i].position;
-            for (std::size_t part = 0; part < parts.size(); ++part) {
+            for (std::size_t part = 0; part < most; ++part) {
                 Course &course = all[i][part];
                 course.isSame &= partOf(after.velocity - v, part) == Vec2{};
                 // What is moved by another part from the start is no velocity of its own.

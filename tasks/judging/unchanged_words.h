@@ -15,7 +15,9 @@ namespace cradle {
 /// A circle that first moves as its velocity says, then against it for some steps, and whose
 /// velocity is still that of the start: the program turns a velocity of its own. What walls and
 /// hits make of the circle's velocity then says nothing of them.
-[[nodiscard]] std::optional<LawDeviation> unwrittenVelocity(const QString *program,
-                                                            const Ground &ground);
+/// \param isFlightRight  else a part of the way alone may be made by another circle's velocity, and
+///                       what only one part shows is not told
+[[nodiscard]] std::optional<LawDeviation>
+unwrittenVelocity(const QString *program, const Ground &ground, bool isFlightRight);
 
 } // namespace cradle
