@@ -77,20 +77,20 @@ struct Course {
 };
 
 /// Of a vector (1, 1): all of it, its x, its y.
-constexpr std::array<Vec2, 3> parts{Vec2{1.0, 1.0}, Vec2{1.0, 0.0}, Vec2{0.0, 1.0}};
+constexpr std::array<Vec2, 3> wholeAndParts{Vec2{1.0, 1.0}, Vec2{1.0, 0.0}, Vec2{0.0, 1.0}};
 
 Vec2 partOf(Vec2 v, std::size_t part)
 {
-    return {parts[part].x * v.x, parts[part].y * v.y};
+    return {wholeAndParts[part].x * v.x, wholeAndParts[part].y * v.y};
 }
 
 /// The courses of one circle: the whole one, that along x and that along y.
-using Courses = std::array<Course, parts.size()>;
+using Courses = std::array<Course, wholeAndParts.size()>;
 
 Courses coursesFrom(Vec2 velocity, double timestep, bool mayBePushed)
 {
     Courses all;
-    for (std::size_t part = 0; part < parts.size(); ++part) {
+    for (std::size_t part = 0; part < wholeAndParts.size(); ++part) {
         const Vec2 v = partOf(velocity, part);
         // What rests is moved by a hit only.
         all[part] = {.isSame = v != Vec2{} || mayBePushed, .forward = timestep * v};
@@ -129,7 +129,7 @@ QString unwrittenText(int circle, const World &world, Vec2 way, double timestep,
 std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Ground &ground,
                                               bool isFlightRight)
 {
-    const std::size_t most = isFlightRight ? parts.size() : 1;
+    const std::size_t most = isFlightRight ? wholeAndParts.size() : 1;
     Probe probe(program, {ground.own, false});
     if (!probe.runs())
         return std::nullopt;
