@@ -39,17 +39,20 @@ void TestWallCorners::finding_data()
     QTest::addColumn<QString>("source");
     QTest::addColumn<QString>("headline"); ///< empty: none
     const char *none = "gravity";
-    QTest::newRow("right") << "L42T2"
-                           << program(none, "local turned = v "
-                                            "if p.x - r < square.left and v.x < 0 or "
-                                            "p.x + r > square.right and v.x > 0 then "
-                                            "turned = vec(-turned.x, turned.y) end "
-                                            "if p.y - r < square.bottom and v.y < 0 or "
-                                            "p.y + r > square.top and v.y > 0 then "
-                                            "turned = vec(turned.x, -turned.y) end "
-                                            "if turned ~= v then "
-                                            "c.position, c.velocity = old, turned end")
-                           << "";
+    const QString turns = program(none, "local turned = v "
+                                        "if p.x - r < square.left and v.x < 0 or "
+                                        "p.x + r > square.right and v.x > 0 then "
+                                        "turned = vec(-turned.x, turned.y) end "
+                                        "if p.y - r < square.bottom and v.y < 0 or "
+                                        "p.y + r > square.top and v.y > 0 then "
+                                        "turned = vec(turned.x, -turned.y) end "
+                                        "IN BOTH "
+                                        "if turned ~= v then "
+                                        "c.position, c.velocity = old, turned end");
+    const auto withBoth = [&](const QString &inBoth) {
+        return QString(turns).replace(QLatin1String("IN BOTH"), inBoth);
+    };
+    QTest::newRow("right") << "L42T2" << withBoth({}) << "";
     // Each wall turns its own part alone; who is turned by one of both is by the other a step
     // later.
     const QString lost = QStringLiteral("In a corner the velocity of circle 1 is lost");
@@ -61,17 +64,9 @@ void TestWallCorners::finding_data()
           std::pair("-0.011 * v.x, -0.011 * v.y", QString())})
         QTest::addRow("turned into %s", both)
             << "L42T2"
-            << program(none, "local turned = v "
-                             "if p.x - r < square.left and v.x < 0 or "
-                             "p.x + r > square.right and v.x > 0 then "
-                             "turned = vec(-turned.x, turned.y) end "
-                             "if p.y - r < square.bottom and v.y < 0 or "
-                             "p.y + r > square.top and v.y > 0 then "
-                             "turned = vec(turned.x, -turned.y) end "
-                             "if turned.x ~= v.x and turned.y ~= v.y then turned = vec(BOTH) end "
-                             "if turned ~= v then "
-                             "c.position, c.velocity = old, turned end")
-                   .replace(QLatin1String("BOTH"), QLatin1String(both))
+            << withBoth(QStringLiteral("if turned.x ~= v.x and turned.y ~= v.y then "
+                                       "turned = vec(%1) end")
+                            .arg(QLatin1String(both)))
             << headline;
     // Who asks whether the rim has crossed the wall in this step does not ask again.
     QTest::newRow("the second from the velocity before")
