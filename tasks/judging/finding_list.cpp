@@ -48,7 +48,7 @@ void FindingList::addToStart(const LawDeviation &deviation)
 void FindingList::addWritten(const LawDeviation &deviation)
 {
     add(deviation);
-    // Where the place is written the velocity is not.
+    // Where the place is written the velocity is not; where one part of it is, the other is not.
     markLastAssignment(m_findings.back(), deviation.moment, m_task, m_submission);
 }
 

@@ -166,8 +166,9 @@ std::optional<LawDeviation> unwrittenVelocity(const QString *program, const Grou
                 return LawDeviation{
                     .aspect = Aspect::Motion,
                     .message = unwrittenText(circle, probe.world(), way, scene.timestep, axis),
-                    .moment = {
-                        .stage = {ground.own, false}, .circles = {circle}, .isPosition = true}};
+                    .moment = {.stage = {ground.own, false},
+                               .circles = {circle},
+                               .isPosition = axis.isEmpty()}};
             }
         }
     }
