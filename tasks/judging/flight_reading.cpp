@@ -63,9 +63,8 @@ bool keepsOwnVelocity(const QString *program, const Preset &preset, const Flight
             return false;
         const Circle &now = probe.circle(static_cast<int>(i));
         // What a wall turns again in every step stays where it is.
-        const Vec2 way = part(now.position - was.position);
-        const Vec2 expected = preset.timestep * part(was.velocity);
-        const bool moves = length(way - expected) < 0.2 * length(expected);
+        const bool moves =
+            goesByVelocity(part(now.position - was.position), part(was.velocity), preset.timestep);
         if (k > 1 && moves && length(part(was.velocity - set)) > 1e-6
             && length(part(now.velocity - was.velocity - turn)) <= 1e-9)
             return true;
@@ -86,10 +85,8 @@ bool leavesOwnPlace(const QString *program, const Preset &preset, std::size_t i)
         const Circle was = probe.circle(circle);
         if (!probe.step())
             return false;
-        const Vec2 expected = preset.timestep * was.velocity;
         const Vec2 way = probe.circle(circle).position - was.position;
-        const bool goesOn =
-            k > 0 && length(expected) > 1e-6 && length(way - expected) < 0.2 * length(expected);
+        const bool goesOn = k > 0 && goesByVelocity(way, was.velocity, preset.timestep);
         gone = goesOn ? gone + 1 : 0;
     }
     return gone >= enough;

@@ -119,9 +119,7 @@ private:
     /// makes of a place that is set anew.
     [[nodiscard]] bool goesOn(const Steps &s) const
     {
-        constexpr double ofMethod = 0.2; // what gravity may add to the way
-        const Vec2 expected = m_h * s.before[m_i].velocity;
-        return length(expected) > 1e-6 && length(way(s) - expected) < ofMethod * length(expected);
+        return goesByVelocity(way(s), s.before[m_i].velocity, m_h);
     }
 
     /// Of what two starts are apart, the share that is left one step later; 1 where it is not the
@@ -201,6 +199,13 @@ private:
 };
 
 } // namespace
+
+bool goesByVelocity(Vec2 way, Vec2 velocity, double timestep)
+{
+    constexpr double ofMethod = 0.2;
+    const Vec2 expected = timestep * velocity;
+    return length(expected) > 1e-6 && length(way - expected) < ofMethod * length(expected);
+}
 
 Flight lawOf(const FlownSteps &steps, double h, std::size_t circle)
 {

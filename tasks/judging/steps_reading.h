@@ -20,6 +20,10 @@ struct FlownSteps {
     }
 };
 
+/// Whether a step of \p timestep s goes about as far, \p way in m, as by the velocity that it
+/// begins with, m/s, which is not 0: what gravity adds to the way is less.
+[[nodiscard]] bool goesByVelocity(Vec2 way, Vec2 velocity, double timestep);
+
 /// The law that a circle follows in them, all of which are made.
 /// \param h  the timestep, s
 [[nodiscard]] Flight lawOf(const FlownSteps &steps, double h, std::size_t circle);
