@@ -18,6 +18,8 @@ private slots:
     void tellsFewestChanges();
     void givesBothTextsBack();
     void textsWithNothingInCommonAreTold();
+    void shortestWayIsLookedForUpToABound();
+    void lastLineNeedsNoEnd();
     void hunksHaveLinesAround();
 };
 
@@ -96,10 +98,14 @@ void TestLineDiff::givesBothTextsBack()
             if (line.kind != DiffLine::Kind::Added) {
                 old += line.text;
                 RC_ASSERT(line.before == ++x);
+            } else {
+                RC_ASSERT(line.before == 0);
             }
             if (line.kind != DiffLine::Kind::Removed) {
                 now += line.text;
                 RC_ASSERT(line.after == ++y);
+            } else {
+                RC_ASSERT(line.after == 0);
             }
         }
         RC_ASSERT(old == before);
@@ -117,6 +123,28 @@ void TestLineDiff::textsWithNothingInCommonAreTold()
         after += QStringLiteral("b%1\n").arg(i);
     }
     QCOMPARE(lineDiff(before, after).size(), std::size_t(10'000));
+}
+
+void TestLineDiff::shortestWayIsLookedForUpToABound()
+{
+    const auto lines = [](char of, int count) {
+        QString text;
+        for (int i = 0; i < count; ++i)
+            text += QStringLiteral("%1%2\n").arg(QLatin1Char(of)).arg(i);
+        return text;
+    };
+    const QString both = QStringLiteral("both\n");
+    const QString before = lines('a', 375) + both + lines('b', 375);
+    // 1500 lines removed or added, and one that is the same; then 1501, and it is told as all
+    // others.
+    QCOMPARE(lineDiff(before, lines('c', 375) + both + lines('d', 375)).size(), std::size_t(1501));
+    QCOMPARE(lineDiff(before, lines('c', 375) + both + lines('d', 376)).size(), std::size_t(1503));
+}
+
+void TestLineDiff::lastLineNeedsNoEnd()
+{
+    QCOMPARE(shortOf(lineDiff(QStringLiteral("a\nb"), QStringLiteral("a\nb\n"))),
+             QStringLiteral(" a b"));
 }
 
 void TestLineDiff::hunksHaveLinesAround()

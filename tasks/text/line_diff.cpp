@@ -24,12 +24,6 @@ public:
     {
     }
 
-    void same() { add(DiffLine::Kind::Same); }
-    void removed() { add(DiffLine::Kind::Removed); }
-    void added() { add(DiffLine::Kind::Added); }
-    std::vector<DiffLine> take() { return std::move(m_lines); }
-
-private:
     void add(DiffLine::Kind kind)
     {
         const bool isBefore = kind != DiffLine::Kind::Added;
@@ -40,6 +34,9 @@ private:
         m_y += isAfter ? 1 : 0;
     }
 
+    std::vector<DiffLine> take() { return std::move(m_lines); }
+
+private:
     const QStringList &m_before;
     const QStringList &m_after;
     std::vector<DiffLine> m_lines{};
@@ -47,9 +44,9 @@ private:
     int m_y = 0;
 };
 
-/// The steps from one text to the other, backwards: 0 both, -1 removed, 1 added. Without the lines
-/// at the start and the end that are the same. \return nothing if there are too many changes
-std::vector<int> shortestWay(const QStringList &a, const QStringList &b)
+/// The lines from one text to the other, backwards; \p a and \p b begin with other lines.
+/// \return nothing if there are too many changes
+std::vector<DiffLine::Kind> shortestWay(const QStringList &a, const QStringList &b)
 {
     const int n = static_cast<int>(a.size());
     const int m = static_cast<int>(b.size());
@@ -67,25 +64,24 @@ std::vector<int> shortestWay(const QStringList &a, const QStringList &b)
             furthest[at(k)] = x;
             if (x < n || x - k < m)
                 continue;
-            std::vector<int> way;
+            std::vector<DiffLine::Kind> way;
             int atX = n;
             int atY = m;
-            for (int step = d; step >= 0; --step) {
+            for (int step = d; step > 0; --step) {
                 const std::vector<int> &then = trace[static_cast<std::size_t>(step)];
                 const int diagonal = atX - atY;
                 const bool came =
                     diagonal == -step
                     || (diagonal != step && then[at(diagonal - 1)] < then[at(diagonal + 1)]);
                 const int before = came ? diagonal + 1 : diagonal - 1;
-                const int fromX = step == 0 ? 0 : then[at(before)];
-                const int fromY = step == 0 ? 0 : fromX - before;
+                const int fromX = then[at(before)];
+                const int fromY = fromX - before;
                 while (atX > fromX && atY > fromY) {
-                    way.push_back(0);
+                    way.push_back(DiffLine::Kind::Same);
                     --atX;
                     --atY;
                 }
-                if (step > 0)
-                    way.push_back(came ? 1 : -1);
+                way.push_back(came ? DiffLine::Kind::Added : DiffLine::Kind::Removed);
                 atX = fromX;
                 atY = fromY;
             }
@@ -110,34 +106,27 @@ std::vector<DiffLine> lineDiff(const QString &before, const QString &after)
     const QStringList a = linesOf(before);
     const QStringList b = linesOf(after);
     Writer writer(a, b);
-    qsizetype start = 0;
-    while (start < a.size() && start < b.size() && a[start] == b[start]) {
-        writer.same();
-        ++start;
-    }
-    qsizetype end = 0;
-    while (end < a.size() - start && end < b.size() - start
-           && a[a.size() - 1 - end] == b[b.size() - 1 - end])
-        ++end;
-    const QStringList innerA = a.mid(start, a.size() - start - end);
-    const QStringList innerB = b.mid(start, b.size() - start - end);
-    const std::vector<int> way = shortestWay(innerA, innerB);
+    const auto start = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
+    QStringList innerA = a.mid(start);
+    QStringList innerB = b.mid(start);
+    const auto end =
+        std::mismatch(innerA.rbegin(), innerA.rend(), innerB.rbegin(), innerB.rend()).first
+        - innerA.rbegin();
+    innerA.resize(innerA.size() - end);
+    innerB.resize(innerB.size() - end);
+    const auto write = [&writer](auto count, DiffLine::Kind kind) {
+        for (qsizetype i = 0; i < count; ++i)
+            writer.add(kind);
+    };
+    write(start, DiffLine::Kind::Same);
+    const std::vector<DiffLine::Kind> way = shortestWay(innerA, innerB);
     if (way.empty()) {
-        for (qsizetype i = 0; i < innerA.size(); ++i)
-            writer.removed();
-        for (qsizetype i = 0; i < innerB.size(); ++i)
-            writer.added();
+        write(innerA.size(), DiffLine::Kind::Removed);
+        write(innerB.size(), DiffLine::Kind::Added);
     }
-    for (auto step = way.rbegin(); step != way.rend(); ++step) {
-        if (*step == 0)
-            writer.same();
-        else if (*step < 0)
-            writer.removed();
-        else
-            writer.added();
-    }
-    for (qsizetype i = 0; i < end; ++i)
-        writer.same();
+    for (auto kind = way.rbegin(); kind != way.rend(); ++kind)
+        writer.add(*kind);
+    write(end, DiffLine::Kind::Same);
     return writer.take();
 }
 
@@ -151,10 +140,9 @@ std::vector<DiffHunk> hunksOf(const std::vector<DiffLine> &diff, int context)
             continue;
         const auto from = std::max(done, i - context);
         const auto to = std::min(size, i + context + 1);
-        if (hunks.empty() || from > done || done == 0)
+        if (hunks.empty() || from > done)
             hunks.emplace_back();
-        const auto first = hunks.back().lines.empty() ? from : done;
-        for (auto line = first; line < to; ++line)
+        for (auto line = from; line < to; ++line)
             hunks.back().lines.push_back(diff[static_cast<std::size_t>(line)]);
         done = std::max(done, to);
     }

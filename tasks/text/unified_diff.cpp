@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <vector>
 
 namespace cradle {
@@ -31,12 +30,12 @@ QString rangeOf(qsizetype start, qsizetype count)
 
 /// One hunk as it is read.
 struct Hunk {
-    qsizetype start = 0;  ///< index of its first line in the text before
+    qsizetype start;      ///< index of its first line in the text before
     QStringList before{}; ///< lines that are there
     QStringList after{};  ///< lines that shall be there
     qsizetype leading = 0;
     qsizetype trailing = 0; ///< lines at its ends that stay
-    int line = 0;           ///< of the diff, from 1
+    int line;               ///< of the diff, from 1
 };
 
 Error fault(int line, const QString &message)
@@ -86,23 +85,15 @@ Result<std::vector<Hunk>> hunksIn(const QString &diff)
     return hunks;
 }
 
-bool standsAt(const QStringList &lines, const QStringList &text, qsizetype at)
+/// Where \p lines stand in \p text from \p least on.
+std::vector<qsizetype> placesOf(const QStringList &lines, const QStringList &text, qsizetype least)
 {
-    return at >= 0 && at + lines.size() <= text.size()
-           && std::equal(lines.begin(), lines.end(), text.begin() + at);
-}
-
-/// Where \p lines stand in \p text from \p least on, next to \p wanted.
-std::optional<qsizetype> placeOf(const QStringList &lines, const QStringList &text,
-                                 qsizetype wanted, qsizetype least)
-{
-    std::optional<qsizetype> best;
-    for (qsizetype at = least; at + lines.size() <= text.size(); ++at) {
-        if (standsAt(lines, text, at)
-            && (!best || std::abs(at - wanted) < std::abs(*best - wanted)))
-            best = at;
+    std::vector<qsizetype> places;
+    for (qsizetype at = least; at <= text.size(); ++at) {
+        if (text.mid(at, lines.size()) == lines)
+            places.push_back(at);
     }
-    return best;
+    return places;
 }
 
 /// \p hunk without up to \p lines of those at its ends that stay.
@@ -117,15 +108,6 @@ Hunk trimmed(const Hunk &hunk, int lines)
     return less;
 }
 
-/// How often \p lines stand in \p text from \p least on.
-int countOf(const QStringList &lines, const QStringList &text, qsizetype least)
-{
-    int count = 0;
-    for (qsizetype at = least; at + lines.size() <= text.size(); ++at)
-        count += standsAt(lines, text, at) ? 1 : 0;
-    return count;
-}
-
 } // namespace
 
 QString unifiedDiff(const QString &before, const QString &after, int context)
@@ -134,22 +116,22 @@ QString unifiedDiff(const QString &before, const QString &after, int context)
     qsizetype more = 0; // lines that the hunks so far have added
     for (const DiffHunk &hunk : hunksOf(lineDiff(before, after), context)) {
         QString body;
-        qsizetype beforeStart = 0;
-        qsizetype afterStart = 0;
         qsizetype beforeCount = 0;
         qsizetype afterCount = 0;
         for (const DiffLine &line : hunk.lines) {
             const bool old = line.kind != DiffLine::Kind::Added;
             const bool now = line.kind != DiffLine::Kind::Removed;
-            beforeStart = old && beforeCount++ == 0 ? line.before : beforeStart;
-            afterStart = now && afterCount++ == 0 ? line.after : afterStart;
+            beforeCount += old ? 1 : 0;
+            afterCount += now ? 1 : 0;
             body += QLatin1Char(old && now ? ' ' : old ? '-' : '+') + line.text + QLatin1Char('\n');
         }
+        const DiffLine &first = hunk.lines.front();
+        const bool isAdded = first.kind == DiffLine::Kind::Added;
         // Of no lines the one before them is told.
-        if (beforeCount == 0)
-            beforeStart = afterStart - 1 - more;
-        if (afterCount == 0)
-            afterStart = beforeStart - 1 + more;
+        const qsizetype beforeStart =
+            (isAdded ? first.after - more : first.before) - (beforeCount == 0 ? 1 : 0);
+        const qsizetype afterStart =
+            (isAdded ? first.after : first.before + more) - (afterCount == 0 ? 1 : 0);
         more += afterCount - beforeCount;
         text += QStringLiteral("@@ -%1 +%2 @@\n")
                     .arg(rangeOf(beforeStart, beforeCount), rangeOf(afterStart, afterCount))
@@ -168,18 +150,24 @@ Result<QString> withDiff(const QString &before, const QString &diff)
     qsizetype moved = 0;
     for (const Hunk &whole : *hunks) {
         Hunk hunk = whole;
-        std::optional<qsizetype> at = placeOf(hunk.before, text, hunk.start + moved, least);
-        for (int lines = 1; lines <= mostTrimmed && !at; ++lines) {
+        std::vector<qsizetype> places = placesOf(hunk.before, text, least);
+        for (int lines = 1; lines <= mostTrimmed && places.empty(); ++lines) {
             hunk = trimmed(whole, lines);
-            if (!hunk.before.isEmpty() && countOf(hunk.before, text, least) == 1)
-                at = placeOf(hunk.before, text, hunk.start + moved, least);
+            places = placesOf(hunk.before, text, least);
+            if (hunk.before.isEmpty() || places.size() > 1)
+                places.clear(); // which of them?
         }
-        if (!at)
+        if (places.empty())
             return fault(whole.line, DiffText::tr("the lines that this changes are not there any "
                                                   "more"));
-        moved = *at - hunk.start + hunk.after.size() - hunk.before.size();
-        text = text.mid(0, *at) + hunk.after + text.mid(*at + hunk.before.size());
-        least = *at + hunk.after.size();
+        const auto far = [wanted = hunk.start + moved](qsizetype at) {
+            return std::abs(at - wanted);
+        };
+        const qsizetype at = *std::min_element(places.begin(), places.end(),
+                                               [&](auto a, auto b) { return far(a) < far(b); });
+        moved = at - hunk.start + hunk.after.size() - hunk.before.size();
+        text = text.mid(0, at) + hunk.after + text.mid(at + hunk.before.size());
+        least = at + hunk.after.size();
     }
     return text.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
