@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using namespace cradle;
 
 /// Numbers that are written as expressions.
@@ -39,6 +41,9 @@ void TestExpression::comesToItsNumber_data()
                           << 1.0 + 0.42 * 0.86602540378443864676;
     QTest::newRow("two arguments") << QStringLiteral("max(2, min(5, 3))") << 3.0;
     QTest::newRow("value") << QStringLiteral("2*k + k_2") << 3.2;
+    QTest::newRow("deep") << QString(49, u'(') + u'1' + QString(49, u')') << 1.0;
+    QTest::newRow("as long as may be") << QString(399, u' ') + u'1' << 1.0;
+    QTest::newRow("fraction slash") << QStringLiteral("3\u20444") << 0.75;
     QTest::newRow("minus sign") << QStringLiteral("\u22121.5") << -1.5;
 }
 
@@ -67,6 +72,16 @@ void TestExpression::saysWhatIsWrong_data()
     QTest::newRow("no number at all")
         << QStringLiteral("sqrt(-1)") << QStringLiteral("no finite number");
     QTest::newRow("deep") << QString(200, u'(') << QStringLiteral("too deep");
+    QTest::newRow("a little too deep")
+        << QString(50, u'(') + u'1' + QString(50, u')') << QStringLiteral("too deep");
+    QTest::newRow("its first letters")
+        << QString(100, u'(') << QStringLiteral("“%1” is no number").arg(QString(60, u'('));
+    QTest::newRow("the next letters")
+        << QStringLiteral("1 %1").arg(QString(20, u'x'))
+        << QStringLiteral("“%1” is not expected").arg(QString(12, u'x'));
+    QTest::newRow("no letters at all")
+        << QStringLiteral("1 + %1").arg(QString(20, u'?'))
+        << QStringLiteral("“%1” is not expected").arg(QString(12, u'?'));
     QTest::newRow("signs") << QString(300, u'-') << QStringLiteral("too deep");
     QTest::newRow("long") << QString(401, u'1') << QStringLiteral("at most 400");
 }
@@ -111,6 +126,9 @@ void TestExpression::unitsAreTurnedIntoWhatIsAsked_data()
     // Without a unit a number is in the one that is asked for; of a value nobody knows it.
     row("0.2", "m", 0.2);
     row("k + 20 cm", "m", 0.8);
+    row("sqrt(k) * 20 cm", "cm", 0.2 * std::sqrt(0.6));
+    row("sin(k) * 20 cm", "cm", 20.0 * std::sin(0.6));
+    row("abs(-20 cm)", "cm", 20.0);
     row("2 * k", "m/s", 1.2);
     row("1 m/s * k", "m", 0.6);
     row("3 m / s", "m", 1.5); // s is a value here
@@ -161,6 +179,7 @@ void TestExpression::wrongUnitsAreSaid_data()
     row("sqrt(2 m)", "a power with that unit is none");
     row("(2 m) m", "there is a unit too many");
     row("1 / 60 s", "it is in 1/s; m is right here");
+    row("2 m²s", "“²s” is not expected there");
     row("2 furlong", "“furlong” is not expected there");
 }
 

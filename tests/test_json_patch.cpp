@@ -3,6 +3,7 @@
 #include "tasks/authoring/json_patch.h"
 
 #include "model/world/random.h"
+#include "tasks/authoring/json_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -22,6 +23,8 @@ private slots:
     void newFilesAreLaidOutAsTheLabs();
     void anyEditOfAnyTextGivesWhatIsWanted();
     void whatIsTheSameKeepsItsText();
+    void textIsTakenApart_data();
+    void textIsTakenApart();
 };
 
 namespace {
@@ -254,6 +257,35 @@ void TestJsonPatch::whatIsTheSameKeepsItsText()
         QVERIFY2(patched.startsWith("{\"kept\" :" + value + ",\"other\":"), patched.constData());
         QCOMPARE(patchJson(text, before, before), text);
     }
+}
+
+void TestJsonPatch::textIsTakenApart_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("parts"); // open, separator, keys and values, close
+    const auto row = [](const char *text, const char *parts) {
+        QTest::newRow(text) << QByteArray(text) << QByteArray(parts);
+    };
+    row("\n {\"a\": 1}", "{|, |a=1|}");
+    row("[ 1,\n 2 ]", "[ |,\n |=1|=2| ]");
+    row("{\n  \"a\": [1, {}]\n}", "{\n  |,\n  |a=[1, {}]|\n}");
+    row("{\n \"a\": 1, \"b\": \"}\"}", "{\n |, |a=1|b=\"}\"|}");
+    row("{\"a\": 1, \"b\": 2,\n\"a\": {\"a\": [\"\\\"\"]}}", "{|, |b=2|a={\"a\": [\"\\\"\"]}|}");
+    row("{\"b\": 1, \"a\":2,\"c\": 3, \"a\" : 4 }", "{|, |b=1|c=3|a=4| }");
+    row("[1, 1]", "[|, |=1|=1|]");
+    row("[]", "[|, |]");
+}
+
+void TestJsonPatch::textIsTakenApart()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, parts);
+    const JsonPieces pieces = takeApart(text);
+    QByteArray found = pieces.open + '|' + pieces.separator;
+    for (const JsonPieces::Piece &piece : pieces.pieces)
+        found += '|' + piece.key.toUtf8() + '=' + piece.value;
+    QCOMPARE(found + '|' + pieces.close, parts);
+    QCOMPARE(pieces.indexOf(QStringLiteral("none")), -1);
 }
 
 QTEST_GUILESS_MAIN(TestJsonPatch)

@@ -53,6 +53,7 @@ void TestPlainText::marksGiveWayToText_data()
     row("escaped braces", "a $\\{x$", "a {x");
     row("money", "$5 and $6", "$5 and $6");
     row("strong and emphasis", "the **whole** *old* place", "the whole old place");
+    row("emphasis in strong", "**an *old* place**", "an old place");
     row("formula in strong", "**at $x_1$**", "at x_1");
     row("product is no emphasis", "2 * 3 * 4", "2 * 3 * 4");
     row("name is no emphasis", "circle_1_old", "circle_1_old");
@@ -80,6 +81,10 @@ void TestPlainText::linesAreBrokenAnew()
 void TestPlainText::formulaIsNotBroken()
 {
     QCOMPARE(plainText(text("where $x = 2$ m"), 9), text("where\nx = 2 m"));
+    // One of 24 letters is not, one of 25 is.
+    QCOMPARE(plainText(text("$abcdefghij = klmnopqrstu$"), 9), text("abcdefghij = klmnopqrstu"));
+    QCOMPARE(plainText(text("$abcdefghij = klmnopqrstuv$"), 9),
+             text("abcdefghij\n=\nklmnopqrstuv"));
 }
 
 void TestPlainText::blocksStayApart()

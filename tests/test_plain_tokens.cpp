@@ -27,6 +27,7 @@ void TestPlainTokens::textsHaveTheirTokens_data()
     QTest::newRow("nothing") << QByteArray() << QByteArray();
     row(" \t\n", "");
     row("a1_ _b C", "a1_ _b C");
+    row("A Z A_Z", "A Z A_Z");
     row("a=b", "a = b");
     row("==", "==");
     row("=====", "== == =");
@@ -44,6 +45,7 @@ void TestPlainTokens::textsHaveTheirTokens_data()
     row("1e5 1e+5 1E-5 1e5+2 1+e", "1e5 1e+5 1E-5 1e5 + 2 1 + e");
     row("1e+-5", "1e+ - 5");
     row("0x1f 0X1F 0x1p+4 0x1P-4 0x1e+4", "0x1f 0X1F 0x1p+4 0x1P-4 0x1e + 4");
+    row("0X1P+4 0Xp+1", "0X1P+4 0Xp+1");
     row("10x1+2 1p+4 00x1", "10x1 + 2 1p + 4 00x1");
     row("3a.b_ 3-2", "3a.b_ 3 - 2");
     row("0x", "0x");
@@ -57,6 +59,7 @@ void TestPlainTokens::textsHaveTheirTokens_data()
     row("'a\\'", "no");
     row("'a\nb'", "no");
     row("'a\rb'", "no");
+    row("'\ra'", "no");
     row("'a\\\nb'", "no");
     row("'a\\zb'", "no");
     row("'az' z", "' z");

@@ -14,6 +14,7 @@ class TestScriptErrors : public QObject
     Q_OBJECT
 private slots:
     void errorTellsItsPlace();
+    void vectorsAreNamedByTheirVeryLine();
     void errorInLoadIsOfStepZero();
     void errorsOfAnyTypeAreSaid_data();
     void errorsOfAnyTypeAreSaid();
@@ -45,6 +46,19 @@ end)lua"),
     const std::vector<ProgramValue> locals{{lua("speed"), lua("3")}, {lua("twice"), lua("6")}};
     QCOMPARE(run.error->locals, locals);
     QCOMPARE(run.world.step, 30);
+}
+
+void TestScriptErrors::vectorsAreNamedByTheirVeryLine()
+{
+    const ScriptRun own = runScript(lua("local t = {}\nfunction on_update(dt)\n  t.x = 1\n"
+                                        "  circle1.velocity.y = 2\n  t.y = 3\nend"),
+                                    1);
+    VERIFY_STOPS(own, 4, lua("circle1.velocity = vec(circle1.velocity.x, 2)"));
+    const ScriptRun none =
+        runScript(lua("local t = {}\nlocal p = vec(1, 2)\nfunction on_update(dt)\n"
+                      "  t.y = 1\n  p['x'] = 2\n  t.y = 3\nend"),
+                  1);
+    VERIFY_STOPS(none, 5, lua("circle1.position = vec(…, circle1.position.y)"));
 }
 
 void TestScriptErrors::errorInLoadIsOfStepZero()

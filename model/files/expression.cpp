@@ -42,7 +42,6 @@ public:
     Result<UnitNumber> read()
     {
         const UnitNumber value = sum();
-        skipSpace();
         if (m_fault.isEmpty() && m_at < m_text.size())
             fail(ExpressionText::tr("“%1” is not expected there").arg(m_text.mid(m_at, 12)));
         if (m_fault.isEmpty() && !std::isfinite(value.number))
@@ -134,7 +133,6 @@ private:
 
     UnitNumber atom()
     {
-        skipSpace();
         if (takes('(')) {
             const UnitNumber value = sum();
             return takes(')') ? withUnit(value)

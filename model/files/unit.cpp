@@ -97,7 +97,7 @@ std::optional<Unit> unitFrom(const QString &text)
     Unit unit;
     if (text.trimmed().isEmpty())
         return unit;
-    int sign = 1;
+    bool isBelow = false;
     for (const QString &part : text.trimmed().split(u'/')) {
         const QStringList factors = part.split(between, Qt::SkipEmptyParts);
         if (factors.isEmpty())
@@ -106,11 +106,11 @@ std::optional<Unit> unitFrom(const QString &text)
             const auto each = factorFrom(factor);
             if (!each)
                 return std::nullopt;
-            unit.scale *= sign > 0 ? each->scale : 1.0 / each->scale;
+            unit.scale *= isBelow ? 1.0 / each->scale : each->scale;
             for (std::size_t i = 0; i < unit.powers.size(); ++i)
-                unit.powers[i] += sign * each->powers[i];
+                unit.powers[i] += isBelow ? -each->powers[i] : each->powers[i];
         }
-        sign = -1;
+        isBelow = true;
     }
     return unit;
 }

@@ -98,9 +98,8 @@ std::optional<UnitText> unitAt(const QString &text, qsizetype from,
         const bool isFirst = end == from;
         const bool goesOn =
             match.hasMatch()
-            && (isFirst ? match.captured(1).trimmed().isEmpty()
-                        : !match.captured(1).isEmpty() && !isTaken(match.captured(2)));
-        if (!goesOn || !unitFrom(match.captured(2) + match.captured(3)))
+            && (isFirst ? match.captured(1).trimmed().isEmpty() : !isTaken(match.captured(2)));
+        if (!goesOn || !unitFrom(match.captured(2)))
             break;
         end = match.capturedEnd();
     }

@@ -45,8 +45,6 @@ qsizetype skipValue(const QByteArray &text, qsizetype at)
         const char c = text[at];
         if (c == '"') {
             at = skipString(text, at);
-            if (depth == 0)
-                return at;
             continue;
         }
         if (c == '{' || c == '[')
@@ -54,8 +52,7 @@ qsizetype skipValue(const QByteArray &text, qsizetype at)
         if (c == '}' || c == ']') {
             if (depth == 0)
                 return at; // a number or a word ended before it
-            if (--depth == 0)
-                return at + 1;
+            --depth;
         }
         if (depth == 0 && (c == ',' || isSpace(c)))
             return at;
@@ -153,8 +150,8 @@ JsonPieces takeApart(const QByteArray &text)
         const qsizetype end = skipValue(text, value);
         piece.value = text.mid(value, end - value);
         piece.gap = gap;
-        if (const int twin = isObject ? result.indexOf(piece.key) : -1; twin >= 0)
-            result.pieces.erase(result.pieces.begin() + twin);
+        if (isObject)
+            std::erase_if(result.pieces, [&](const auto &twin) { return twin.key == piece.key; });
         const qsizetype comma = skipSpace(text, end);
         if (comma < text.size() && text[comma] == ',') {
             at = skipSpace(text, comma + 1);

@@ -89,7 +89,6 @@ private:
     void skipNumber()
     {
         const bool hex = at(0) == '0' && (at(1) == 'x' || at(1) == 'X');
-        m_at += hex ? 2 : 0;
         for (;; ++m_at) {
             const char lower = static_cast<char>(at(0) | 0x20);
             if (lower == (hex ? 'p' : 'e') && isPlainLetter(at(0))
@@ -121,13 +120,12 @@ private:
     bool skipComment()
     {
         m_at += 2;
-        if (at(0) == '[' && (at(1) == '[' || at(1) == '='))
-            return false;
+        const bool isLong = at(0) == '[' && (at(1) == '[' || at(1) == '=');
         const std::size_t end = m_text.find('\n', m_at);
         const std::string_view comment =
             m_text.substr(m_at, (end == std::string_view::npos ? m_text.size() : end) - m_at);
         m_at += comment.size();
-        return comment.find('\r') == std::string_view::npos;
+        return !isLong && comment.find('\r') == std::string_view::npos;
     }
 
     std::string_view m_text;

@@ -103,7 +103,7 @@ int equals(lua_State *L)
 {
     const Vec2 *a = vectorAt(L, 1);
     const Vec2 *b = vectorAt(L, 2);
-    lua_pushboolean(L, a && b && *a == *b ? 1 : 0);
+    lua_pushboolean(L, static_cast<int>(a && b && *a == *b));
     return 1;
 }
 

@@ -71,8 +71,7 @@ QString plainFormula(QString tex)
         static const QRegularExpression sum(QStringLiteral(R"(\S\s*[-+/]\s*\S)"));
         return term.contains(sum) ? QLatin1Char('(') + term + QLatin1Char(')') : term;
     };
-    for (qsizetype before = -1; before != tex.size();) {
-        before = tex.size();
+    while (tex.contains(fraction)) {
         tex = replaced(tex, fraction, [&](const QRegularExpressionMatch &m) {
             return part(m.captured(1)) + QLatin1Char('/') + part(m.captured(2));
         });
@@ -125,9 +124,9 @@ QString plainParagraph(const QString &markdown, bool keepMarks)
                        ? formula
                        : formula.replace(QLatin1Char(' '), glue);
         }
-        if (keepMarks || match.capturedLength(u"code") > 0)
+        if (keepMarks || !match.captured(u"code").isEmpty())
             return match.captured();
-        if (match.capturedLength(u"escaped") > 0)
+        if (!match.captured(u"escaped").isEmpty())
             return match.captured(u"escaped");
         return plainParagraph(match.captured(u"strong") + match.captured(u"emphasis"), false);
     });
