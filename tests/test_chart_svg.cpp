@@ -20,6 +20,8 @@ private slots:
     void emptyChartHasItsAxes();
     void longCurveKeepsItsExtremes();
     void namesStandAtTheirCurvesAndApart();
+    void namesMakeRoomWhereTheyWouldTouch_data();
+    void namesMakeRoomWhereTheyWouldTouch();
     void namesStayInTheirField();
 };
 
@@ -59,6 +61,11 @@ void TestChartSvg::axesAreInRoundNumbers_data()
     row(1200, 2100, "1000|1500|2000|2500");
     row(0, 0.00004, "0|1e−05|2e−05|3e−05|4e−05");
     row(0, 300000, "0|1e+05|2e+05|3e+05");
+    row(-0.2, 0.4, "−0.2|0.0|0.2|0.4");
+    row(-0.3, 0.9, "−0.5|0.0|0.5|1.0");
+    row(1000, 1000 + 5e-7, "800|900|1000|1100|1200");
+    row(0, 1.2e-9, "0|5e−10|1e−09|1.5e−09");
+    row(0, 0.8e-9, "−0.001|0.000|0.001|0.002");
     row(5, 5, "4.5|5.0|5.5");
     row(0, 0, "−0.0010|−0.0005|0.0000|0.0005|0.0010");
 }
@@ -114,6 +121,8 @@ void TestChartSvg::emptyChartHasItsAxes()
     QVERIFY(drawn.isSound);
     QVERIFY(!drawn.numbers(true).empty() && !drawn.numbers(false).empty());
     QVERIFY(drawn.curve(red).empty());
+    const Drawn both(chartSvg(400, 200, {}, {line({}, {}), line({}, {{0, 1.0}, {1, 2.0}})}));
+    QCOMPARE(both.curve(red).size(), std::size_t{2});
     QCOMPARE(drawn.labels.front().text, QStringLiteral("Nothing"));
 }
 
@@ -147,6 +156,13 @@ void TestChartSvg::longCurveKeepsItsExtremes()
         few.push_back({0.001 * i, 0.01 * (i % 7)});
     const Drawn whole(chartSvg(4000, 2000, {}, {line({}, few)}));
     QCOMPARE(whole.curve(red).size(), std::size_t{400});
+    few.push_back({0.4, 0.0});
+    QVERIFY(Drawn(chartSvg(4000, 2000, {}, {line({}, few)})).curve(red).size() <= 400);
+    std::vector<Vec2> hundred;
+    for (int i = 0; i < 100; ++i)
+        hundred.push_back({0.01 * i, 0.01 * i});
+    QCOMPARE(Drawn(chartSvg(4000, 2000, {}, {line({}, hundred)})).curve(red).size(),
+             std::size_t{100});
 }
 
 void TestChartSvg::namesStandAtTheirCurvesAndApart()
@@ -179,6 +195,43 @@ void TestChartSvg::namesStandAtTheirCurvesAndApart()
         QVERIFY(std::abs(names[alone].place.y - 3.5 - endOf(names[alone].text.toInt())) < 0.02);
     QVERIFY(std::abs(names[2].place.y - 3.5 - (endOf(0) + endOf(1) + endOf(2)) / 3.0) < 0.02);
     QVERIFY(std::abs(names[2].place.y - names[1].place.y - 10.0) < 0.02);
+}
+
+void TestChartSvg::namesMakeRoomWhereTheyWouldTouch_data()
+{
+    QTest::addColumn<std::vector<double>>("ends");   ///< of curves, px from the first one's down
+    QTest::addColumn<std::vector<double>>("places"); ///< of their names
+    using Px = std::vector<double>;
+    QTest::newRow("apart") << Px{0, 11} << Px{0, 11};
+    QTest::newRow("nearly apart") << Px{0, 9} << Px{-0.5, 9.5};
+    QTest::newRow("at one place, as they are told") << Px{0, 0, 0} << Px{-10, 0, 10};
+    // The second and the third make room, and so come to the first.
+    QTest::newRow("one after the other") << Px{0, 11, 13} << Px{-2, 8, 18};
+    QTest::newRow("two pairs apart") << Px{0, 2, 40, 42} << Px{-4, 6, 36, 46};
+    QTest::newRow("two pairs that meet") << Px{0, 2, 12, 14} << Px{-8, 2, 12, 22};
+}
+
+void TestChartSvg::namesMakeRoomWhereTheyWouldTouch()
+{
+    QFETCH(std::vector<double>, ends);
+    QFETCH(std::vector<double>, places);
+    // From 0 to 8 on 362 px, those between the title and the numbers.
+    std::vector<ChartLine> lines{line({}, {{0, 0.0}, {0.5, 8.0}})};
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        lines.push_back(
+            line(QStringLiteral("n%1").arg(i), {{0, 1.0}, {1, 4.0 - ends[i] * 8.0 / 362.0}}));
+    const Drawn drawn(chartSvg(400, 400, {}, lines));
+    std::vector<Label> names;
+    for (const Label &label : drawn.labels) {
+        if (label.text.startsWith(QLatin1Char('n')))
+            names.push_back(label);
+    }
+    QCOMPARE(names.size(), ends.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        QCOMPARE(names[i].text, QStringLiteral("n%1").arg(i));
+        QVERIFY2(std::abs(names[i].place.y - 3.5 - (20.0 + 181.0) - places[i]) < 0.02,
+                 QByteArray::number(names[i].place.y).constData());
+    }
 }
 
 /// However many end at its edge.

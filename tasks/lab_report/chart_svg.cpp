@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cradle {
 
@@ -21,11 +22,14 @@ constexpr std::size_t mostPoints = 400; ///< of a curve; more are not seen
 
 /// What an axis shows.
 struct Range {
-    double low = 0.0;
-    double high = 1.0;
-    double step = 1.0; ///< between two numbers, 1, 2 or 5 times a power of ten
+    double first; ///< number, in steps from 0
+    double last;
+    double step; ///< between two numbers, 1, 2 or 5 times a power of ten
 
-    [[nodiscard]] double part(double value) const { return (value - low) / (high - low); }
+    [[nodiscard]] double part(double value) const
+    {
+        return (value / step - first) / (last - first);
+    }
 };
 
 Range niceRange(double low, double high, int steps)
@@ -44,13 +48,11 @@ Range niceRange(double low, double high, int steps)
                            : factor <= 2.0 ? 2.0
                            : factor <= 5.0 ? 5.0
                                            : 10.0);
-    return {std::floor(low / step) * step, std::ceil(high / step) * step, step};
+    return {std::floor(low / step), std::ceil(high / step), step};
 }
 
 QString numberText(double value, double step)
 {
-    if (std::abs(value) < 1e-6 * step)
-        value = 0.0;
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     return std::abs(value) >= 1e5 || digits > 4 ? quantityText(value, 'g', 4)
                                                 : quantityText(value, 'f', digits);
@@ -68,13 +70,10 @@ std::vector<Vec2> thinned(const std::vector<Vec2> &points)
             points.begin() + static_cast<std::ptrdiff_t>(group * points.size() / groups);
         const auto end =
             points.begin() + static_cast<std::ptrdiff_t>((group + 1) * points.size() / groups);
-        auto [low, high] =
+        const auto [low, high] =
             std::minmax_element(begin, end, [](const Vec2 &a, const Vec2 &b) { return a.y < b.y; });
-        if (high < low)
-            std::swap(low, high);
-        result.push_back(*low);
-        if (low != high)
-            result.push_back(*high);
+        result.push_back(*std::min(low, high));
+        result.push_back(*std::max(low, high)); // the same twice is drawn once
     }
     return result;
 }
@@ -86,8 +85,9 @@ public:
         : m_picture(width, height, title)
         , m_size{width - leftRoom - rightRoom, height - topRoom - bottomRoom}
     {
-        Vec2 low{1e300, 1e300};
-        Vec2 high{-1e300, -1e300};
+        constexpr double far = std::numeric_limits<double>::infinity();
+        Vec2 low{far, far};
+        Vec2 high = -low;
         for (const ChartLine &line : lines) {
             for (const Vec2 &point : line.points) {
                 low = {std::min(low.x, point.x), std::min(low.y, point.y)};
@@ -114,18 +114,22 @@ private:
 
     void drawGrid()
     {
-        for (double y = m_y.low; y <= m_y.high + 0.5 * m_y.step; y += m_y.step) {
-            const Vec2 left = place({m_x.low, y});
-            m_picture.line(left, place({m_x.high, y}), {gridColour, 0.8});
+        const Vec2 low{m_x.first * m_x.step, m_y.first * m_y.step};
+        const Vec2 high{m_x.last * m_x.step, m_y.last * m_y.step};
+        for (double i = m_y.first; i <= m_y.last; ++i) {
+            const double y = i * m_y.step;
+            const Vec2 left = place({low.x, y});
+            m_picture.line(left, place({high.x, y}), {gridColour, 0.8});
             m_picture.text({left.x - 5.0, left.y + 3.5}, numberText(y, m_y.step), fontSize, ink,
                            SvgPicture::Anchor::End);
         }
-        for (double x = m_x.low; x <= m_x.high + 0.5 * m_x.step; x += m_x.step) {
-            const Vec2 bottom = place({x, m_y.low});
-            m_picture.line(bottom, place({x, m_y.high}), {gridColour, 0.8});
-            const bool isLast = x + m_x.step > m_x.high + 0.5 * m_x.step;
+        for (double i = m_x.first; i <= m_x.last; ++i) {
+            const double x = i * m_x.step;
+            const Vec2 bottom = place({x, low.y});
+            m_picture.line(bottom, place({x, high.y}), {gridColour, 0.8});
             m_picture.text({bottom.x, bottom.y + fontSize + 4.0},
-                           numberText(x, m_x.step) + (isLast ? QStringLiteral(" s") : QString()),
+                           numberText(x, m_x.step)
+                               + (i == m_x.last ? QStringLiteral(" s") : QString()),
                            fontSize, ink, SvgPicture::Anchor::Middle);
         }
     }
@@ -151,18 +155,18 @@ private:
     {
         struct Cluster {
             double middle; ///< of the places that its names should have, px
-            double count;
-            [[nodiscard]] double first() const { return middle - 0.5 * (count - 1.0) * fontSize; }
-            [[nodiscard]] double last() const { return middle + 0.5 * (count - 1.0) * fontSize; }
+            int count;
+            [[nodiscard]] double first() const { return middle - 0.5 * (count - 1) * fontSize; }
+            [[nodiscard]] double last() const { return middle + 0.5 * (count - 1) * fontSize; }
         };
         std::stable_sort(names.begin(), names.end(),
                          [](const auto &a, const auto &b) { return a.first < b.first; });
         std::vector<Cluster> clusters;
         for (const auto &[y, line] : names) {
-            Cluster next{y + 3.5, 1.0};
+            Cluster next{y + 3.5, 1};
             while (!clusters.empty() && clusters.back().last() + fontSize > next.first()) {
                 const Cluster &before = clusters.back();
-                const double count = before.count + next.count;
+                const int count = before.count + next.count;
                 next = {(before.middle * before.count + next.middle * next.count) / count, count};
                 clusters.pop_back();
             }
@@ -173,7 +177,8 @@ private:
         double last = topRoom - fontSize;
         std::size_t at = 0;
         for (const Cluster &cluster : clusters) {
-            for (double y = cluster.first(); y < cluster.last() + 0.5 * fontSize; y += fontSize) {
+            for (int i = 0; i < cluster.count; ++i) {
+                const double y = cluster.first() + i * fontSize;
                 last = std::max(std::min(y, free + fontSize), last + fontSize);
                 free += fontSize;
                 const ChartLine &line = *names[at++].second;
