@@ -22,8 +22,6 @@ private slots:
     void simpleProgramsHaveABound();
     void whatMayGoOnHasNone_data();
     void whatMayGoOnHasNone();
-    void loopsRunAsOftenAsTheyAreWritten_data();
-    void loopsRunAsOftenAsTheyAreWritten();
     void countsNeverPassTheBound();
     void theBoundChangesNoRun();
     void longTextsCount();
@@ -141,39 +139,6 @@ void TestWorkBound::whatMayGoOnHasNone()
     QFETCH(QString, program);
     QVERIFY(!findSyntaxError(program));
     QVERIFY(!takesLittle(program, 2));
-}
-
-void TestWorkBound::loopsRunAsOftenAsTheyAreWritten_data()
-{
-    QTest::addColumn<QString>("program");
-    QTest::addColumn<qint64>("bound");
-    const auto row = [](const char *program, qint64 bound) {
-        QTest::newRow(program) << lua(program) << bound;
-    };
-    // Three a token, and three for the return of the file or function that has most.
-    row("", 3);
-    row("x = 1", 3 + 3 * 3);
-    row("function f() end", 3 + 3 * 3);
-    row("function f() end f()", 3 + 4 * 3 + 12); // and what it calls
-    // "for", the six tokens to "do", a time for each number from 0 and two more; "end" as often as
-    // there are numbers.
-    row("for i = 1, 0 do end", 3 + 3 + 3 * (6 + 2) + 3 * 1);
-    row("for i = 1, 7 do end", 3 + 3 + 3 * (6 + 9) + 3 * 8);
-    row("for i = 1, 10 do end", 3 + 3 + 3 * (6 + 12) + 3 * 11);
-    row("for i = 1, 29 do end", 3 + 3 + 3 * (6 + 31) + 3 * 30);
-    row("for i = 1, 999 do end", 3 + 3 + 3 * (6 + 1001) + 3 * 1000);
-    row("for i = 1, 3 do for j = i + 1, 4 do end end",
-        3 + 3 + 3 * (6 + 5) + 4 * (3 + 3 * (8 + 6) + 5 * 3 + 3));
-    // Of two circles.
-    row("for i = 1, #circles do end", 3 + 3 + 3 * (7 + 4) + 3 * 3);
-    row("for i = 1, #circles - 1 do end", 3 + 3 + 3 * (9 + 4) + 3 * 3);
-    row("for i, c in ipairs(circles) do end", 3 + 3 + 3 * (9 + 4) + 3 * 3);
-}
-
-void TestWorkBound::loopsRunAsOftenAsTheyAreWritten()
-{
-    QFETCH(QString, program);
-    QTEST(boundOf(program).value_or(-1), "bound");
 }
 
 void TestWorkBound::countsNeverPassTheBound()

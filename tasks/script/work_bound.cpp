@@ -67,12 +67,13 @@ private:
     };
     struct Block {
         enum class Kind { Function, Loop, Other } kind = Kind::Other;
-        qint64 outerTimes = 1;       ///< that what is around it runs
+        qint64 outerTimes;           ///< that what is around it runs
         std::size_t outer = 0;       ///< the function around it, if it is one
         std::string_view variable{}; ///< of a loop through numbers
     };
     static constexpr auto file = static_cast<std::size_t>(-1); ///< no function
 
+    /// Empty before the first and behind the last.
     [[nodiscard]] std::string_view at(std::size_t i) const
     {
         return i < m_tokens.size() ? m_tokens[i] : std::string_view();
@@ -115,8 +116,6 @@ private:
             takeSign(token.front());
             return true;
         }
-        if (!isName(token))
-            return token != "::";
         if (token == "for")
             return takeLoop();
         if (token == "end")
@@ -132,7 +131,7 @@ private:
                                                                 "ipairs", "const",  "close"};
         if (std::find(others.begin(), others.end(), token) != others.end())
             return false;
-        if (token == "circles" && ahead(1) != "[" && (m_at == 0 || at(m_at - 1) != "#"))
+        if (token == "circles" && ahead(1) != "[" && at(m_at - 1) != "#")
             return false;
         if (ahead(1) == "=" || (ahead(1) == "," && m_depth == 0))
             m_assigned.push_back(token);
@@ -141,9 +140,10 @@ private:
 
     void takeSign(char sign)
     {
-        if (sign == '(' || sign == '[' || sign == '{')
+        // No comma stands in square brackets alone.
+        if (sign == '(' || sign == '{')
             ++m_depth;
-        else if (sign == ')' || sign == ']' || sign == '}')
+        else if (sign == ')' || sign == '}')
             --m_depth;
     }
 
@@ -151,7 +151,7 @@ private:
     /// bear its name.
     bool takeName(std::string_view name)
     {
-        const std::string_view before = m_at > 0 ? at(m_at - 1) : std::string_view();
+        const std::string_view before = at(m_at - 1);
         const Function *function = before == "." || before == ":" ? nullptr : find(name);
         if (!function)
             return true;
@@ -264,7 +264,7 @@ private:
     std::size_t m_current = file;
     qint64 m_times = 1; ///< that what is here runs, of the function around it
     qint64 m_fileWork = perToken;
-    int m_depth = 0;    ///< of brackets
+    int m_depth = 0;    ///< of brackets in which commas part no names that are set
     Names m_assigned{}; ///< names that may be given another value
     Names m_bases{};    ///< of loops, at which others begin
 };
