@@ -185,22 +185,25 @@ QString ProgramLines::inTwin(const QString &text, int line, int twin) const
 {
     const std::vector<std::size_t> &own = tokensOf(line);
     const std::vector<std::size_t> &other = tokensOf(twin);
-    static const QRegularExpression word(QStringLiteral("[A-Za-z_]\\w*"));
     QString result;
-    qsizetype done = 0;
-    for (auto it = word.globalMatch(text); it.hasNext();) {
-        const QRegularExpressionMatch match = it.next();
-        QString name = match.captured();
+    for (qsizetype at = 0, end = 0; at < text.size(); at = end) {
+        end = at + 1;
+        if (!isOfName(text[at]) || text[at].isDigit()) {
+            result += text[at];
+            continue;
+        }
+        while (end < text.size() && isOfName(text[end]))
+            ++end;
+        QString name = text.mid(at, end - at);
         for (std::size_t k = 0; k < own.size(); ++k) {
             if (m_tokens[own[k]].text == name) {
                 name = m_tokens[other[k]].text;
                 break;
             }
         }
-        result += text.mid(done, match.capturedStart() - done) + name;
-        done = match.capturedEnd();
+        result += name;
     }
-    return result + text.mid(done);
+    return result;
 }
 
 } // namespace cradle

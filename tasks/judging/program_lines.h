@@ -30,6 +30,7 @@ public:
     {
         return i < m_tokens.size() && m_tokens[i].is(word);
     }
+    [[nodiscard]] const QStringList &rows() const { return m_rows; }
     [[nodiscard]] const QString &row(int line) const { return m_rows[line - 1]; }
     [[nodiscard]] qsizetype startOf(int line) const
     {

@@ -40,15 +40,11 @@ bool asksForWall(const QString &row)
 
 QString withName(const QString &row, const QString &name, const QString &other)
 {
-    const auto isOfName = [&](qsizetype at) {
-        return at >= 0 && at < row.size()
-               && (row[at] == QLatin1Char('_')
-                   || (row[at].unicode() < 128 && row[at].isLetterOrNumber()));
-    };
+    const auto isAt = [&](qsizetype at) { return at >= 0 && at < row.size() && isOfName(row[at]); };
     QString changed;
     qsizetype done = 0;
     for (qsizetype at = row.indexOf(name); at >= 0; at = row.indexOf(name, at + name.size())) {
-        if (isOfName(at - 1) || isOfName(at + name.size()))
+        if (isAt(at - 1) || isAt(at + name.size()))
             continue;
         changed += row.mid(done, at - done) + other;
         done = at + name.size();

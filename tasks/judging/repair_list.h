@@ -107,9 +107,9 @@ void addCoordinate(RepairList &repairs, std::size_t i);
 void scaleTerm(RepairList &repairs, std::size_t i);
 /// What the line says of two, said the other way round or at once; a way out, not taken.
 void repairOrder(RepairList &repairs, int line);
-/// What the line says, as another nearby or its own other half says it of the other circle or
+/// What lines say, as others nearby or their own other halves say it of the other circle or
 /// coordinate.
-void repairMirror(RepairList &repairs, int line);
+void repairMirrors(RepairList &repairs, const std::vector<int> &lines);
 /// What follows from two that are alike, at token \p i: their product for what they share, the sum
 /// of their squares for the square of their sum, the whole step for a part of it.
 void repairPairs(RepairList &repairs, std::size_t i);

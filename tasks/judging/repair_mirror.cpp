@@ -5,6 +5,8 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 namespace cradle {
 
@@ -131,9 +133,45 @@ QString headOf(const QString &row)
     return row.contains(other) ? QString() : head.match(row).captured(1);
 }
 
-} // namespace
+/// What a line says, said of the other.
+struct Mirrored {
+    QString row{}; ///< empty where it names nothing that has another
+    QString head{};
+};
 
-void repairMirror(RepairList &repairs, int line)
+/// The lines of a program as they are said of the other circle and of the other coordinate; of each
+/// it is asked for many others.
+class Mirrors
+{
+public:
+    explicit Mirrors(const RepairList &repairs)
+        : m_repairs(repairs)
+    {
+    }
+
+    const std::array<Mirrored, 2> &of(int line)
+    {
+        const auto known = m_known.find(line);
+        if (known != m_known.end())
+            return known->second;
+        return m_known.emplace(line, std::array{made(line, false), made(line, true)}).first->second;
+    }
+
+private:
+    [[nodiscard]] Mirrored made(int line, bool isCoordinate) const
+    {
+        const ProgramLines &program = m_repairs.program();
+        const qsizetype start = program.startOf(line);
+        const QString &row = program.row(line);
+        const QString other = mirrored(m_repairs, line, start, start + row.size(), isCoordinate);
+        return other == row ? Mirrored() : Mirrored{other, headOf(other)};
+    }
+
+    const RepairList &m_repairs;
+    std::map<int, std::array<Mirrored, 2>> m_known{};
+};
+
+void repairMirror(RepairList &repairs, Mirrors &mirrors, int line)
 {
     const ProgramLines &program = repairs.program();
     const QString row = line < 1 || line > program.count() ? QString() : program.row(line);
@@ -142,18 +180,26 @@ void repairMirror(RepairList &repairs, int line)
         return mirrorWithin(repairs, line);
     for (int at = std::max(1, line - nearLines); at <= std::min(program.count(), line + nearLines);
          ++at) {
-        for (const bool isCoordinate : {false, true}) {
-            const qsizetype start = program.startOf(at);
-            const QString other =
-                mirrored(repairs, at, start, start + program.row(at).size(), isCoordinate);
-            if (at == line || other == program.row(at) || headOf(other) != head)
+        if (at == line)
+            continue;
+        for (const Mirrored &other : mirrors.of(at)) {
+            if (other.head != head)
                 continue;
-            for (const QString &said : {other, opposed(other)})
+            for (const QString &said : {other.row, opposed(other.row)})
                 repairs.replaceTelling(line, program.startOf(line),
                                        program.startOf(line) + row.size(), said);
         }
     }
     mirrorWithin(repairs, line);
+}
+
+} // namespace
+
+void repairMirrors(RepairList &repairs, const std::vector<int> &lines)
+{
+    Mirrors mirrors(repairs);
+    for (const int line : lines)
+        repairMirror(repairs, mirrors, line);
 }
 
 } // namespace cradle

@@ -22,11 +22,6 @@ enum class Naming { Silent, Agrees, Disagrees };
 /// The likelier a repair is what was meant, the sooner it is tried.
 enum class Rank { Told, Single, Called, Twins, Doubtful };
 
-bool isOfName(QChar c)
-{
-    return (c.unicode() < 128 && c.isLetterOrNumber()) || c == QLatin1Char('_');
-}
-
 Side sideOf(const QString &text, QChar first, QChar second)
 {
     constexpr qsizetype shortName = 3;
@@ -66,20 +61,37 @@ QStringList partsOf(const QString &list)
     return parts;
 }
 
+/// What a row gives a value, and the value; nothing if it does not.
+std::optional<std::pair<QString, QString>> assignmentIn(const QString &row)
+{
+    const qsizetype sign = row.indexOf(u'=');
+    if (sign < 0)
+        return std::nullopt;
+    QStringView target = QStringView(row).first(sign).trimmed();
+    const QStringView value = QStringView(row).sliced(sign + 1).trimmed();
+    const QLatin1String local("local");
+    if (target.startsWith(local) && target.size() > local.size() && target[local.size()].isSpace())
+        target = target.sliced(local.size()).trimmed();
+    const bool isTarget = std::all_of(target.begin(), target.end(), [](QChar c) {
+        return isOfName(c) || c.isSpace() || QLatin1String(".,[]").contains(c);
+    });
+    if (target.isEmpty() || !isTarget || value.isEmpty() || value.front() == u'=')
+        return std::nullopt;
+    return std::pair(target.toString(), value.toString());
+}
+
 Naming namingOf(const QString &row)
 {
-    static const QRegularExpression assignment(
-        QStringLiteral("^\\s*(?:local\\s+)?([\\w.\\s,\\[\\]]+?)\\s*=\\s*([^=].*)$"));
     static const std::pair<QChar, QChar> sides[] = {{QLatin1Char('1'), QLatin1Char('2')},
                                                     {QLatin1Char('a'), QLatin1Char('b')},
                                                     {QLatin1Char('x'), QLatin1Char('y')}};
-    const QRegularExpressionMatch match = assignment.match(row);
-    if (!match.hasMatch())
+    const auto given = assignmentIn(row);
+    if (!given)
         return Naming::Silent;
-    QStringList targets = partsOf(match.captured(1));
-    const QStringList values = partsOf(match.captured(2));
+    QStringList targets = partsOf(given->first);
+    const QStringList values = partsOf(given->second);
     if (values.size() == 1)
-        targets = {match.captured(1)};
+        targets = {given->first};
     Naming naming = Naming::Silent;
     for (qsizetype k = 0; k < targets.size() && k < values.size(); ++k) {
         for (const auto &[first, second] : sides) {
@@ -98,18 +110,23 @@ Naming namingOf(const QString &row)
     return naming;
 }
 
-/// Whether a line only takes what a function of the program returns, and \p changed takes something
-/// else than other names: then what is returned may be changed as well.
-bool isOfCall(const QString &row, const QString &changed, const QStringList &functions)
+/// Whether a line only takes what a function of the program returns.
+bool isOfCall(const QString &row, const QStringList &functions)
 {
     static const QRegularExpression call(QStringLiteral(
         "^\\s*(?:(?:local\\s+)?[\\w.,\\s\\[\\]]+=|if|return)\\s+(?:[\\w\\[\\]]+[.:])*(\\w+)"
         "\\([\\w.,\\s\\[\\]]*\\)(?:\\s+then)?\\s*$"));
-    static const QRegularExpression name(QStringLiteral("\\w+"));
     const QString called = call.match(row).captured(1);
-    if (called.isEmpty() || !functions.contains(called))
-        return false;
-    return QString(row).remove(name) != QString(changed).remove(name);
+    return !called.isEmpty() && functions.contains(called);
+}
+
+/// Whether two lines differ in more than names and numbers.
+bool isOtherwise(const QString &row, const QString &changed)
+{
+    const auto rest = [](QString text) {
+        return text.removeIf([](QChar c) { return isOfName(c); });
+    };
+    return rest(row) != rest(changed);
 }
 
 /// Whether a line stands twice, where only one is meant for the second or none at all, and this is
@@ -135,60 +152,106 @@ bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
     });
 }
 
-QString rowOf(const QString &source, int line)
+/// Whether a row asks for nothing any more.
+bool saysVerdict(const QString &row)
 {
-    qsizetype from = 0;
-    for (int k = 1; k < line; ++k)
-        from = source.indexOf(QLatin1Char('\n'), from) + 1;
-    const qsizetype to = source.indexOf(QLatin1Char('\n'), from);
-    return source.mid(from, to < 0 ? -1 : to - from);
+    static const QRegularExpression verdict(QStringLiteral("\\bif (true|false) then\\b"));
+    return (row.contains(QLatin1String("if true ")) || row.contains(QLatin1String("if false ")))
+           && row.contains(verdict);
 }
+
+/// Whether a row adds a term twice, or takes it away twice.
+bool isDoubled(const QString &row)
+{
+    static const QRegularExpression doubled(
+        QStringLiteral("([-+] [\\w.]+( \\* [\\w.]+)*) ?\\1\\b"));
+    return (row.count(QLatin1String("+ ")) > 1 || row.count(QLatin1String("- ")) > 1)
+           && row.contains(doubled);
+}
+
+/// Whether a row gives numbers to names.
+bool givesNumbers(const QString &row)
+{
+    static const QRegularExpression number(
+        QStringLiteral("^\\s*(local\\s+)?\\w+(\\s*,\\s*\\w+)*\\s*=\\s*-?[\\d.]+(\\s*,\\s*-?[\\d.]+)"
+                       "*\\s*(--.*)?$"));
+    return row.contains(number);
+}
+
+/// The lines of a program before any is changed, and what hundreds of changes ask of them.
+class Rows
+{
+public:
+    explicit Rows(const QString &source)
+        : m_program(source)
+    {
+        static const QRegularExpression writeBack(
+            QStringLiteral("^\\s*[\\w.\\[\\]]+\\.(velocity|position)\\s*=\\s*\\w+\\s*(--.*)?$"));
+        QStringList functions;
+        for (const ProgramFunction &each : functionsOf(m_program))
+            functions.append(each.name);
+        for (const QString &row : m_program.rows())
+            m_known.push_back({.naming = namingOf(row),
+                               .givesNumbers = givesNumbers(row),
+                               .writesBack = row.contains(writeBack),
+                               .isOfCall = isOfCall(row, functions)});
+    }
+
+    /// The line of \p changed that \p repair is of.
+    [[nodiscard]] QString rowOf(const Repair &repair) const
+    {
+        const QStringView whole(repair.source);
+        const qsizetype start = m_program.startOf(repair.line);
+        // What stands before it is nearly always as it was.
+        const bool isSame = whole.startsWith(QStringView(m_program.source()).first(start));
+        qsizetype from = isSame ? start : 0;
+        for (int k = 1; k < repair.line && !isSame; ++k)
+            from = whole.indexOf(u'\n', from) + 1;
+        const qsizetype to = whole.indexOf(u'\n', from);
+        return whole.sliced(from, (to < 0 ? whole.size() : to) - from).toString();
+    }
+
+    [[nodiscard]] Rank rankOf(const Repair &repair, bool isSound, bool triesNumbers) const
+    {
+        const QString &own = m_program.row(repair.line);
+        const QString row = rowOf(repair);
+        const Known &known = m_known[static_cast<std::size_t>(repair.line - 1)];
+        const Naming naming = row == own ? known.naming : namingOf(row);
+        const bool isDisagreement = known.naming == Naming::Disagrees;
+        if ((!isDisagreement && naming == Naming::Disagrees)
+            || isFirstOfTwo(m_program.rows(), repair.line, row))
+            return Rank::Doubtful;
+        if ((triesNumbers && known.givesNumbers && givesNumbers(row)) || repair.told
+            || (isDisagreement && naming != Naming::Disagrees))
+            return Rank::Told;
+        if (isSound || (row.isEmpty() && known.writesBack) || saysVerdict(row) || isDoubled(row))
+            return Rank::Doubtful;
+        return !repair.alone                             ? Rank::Twins
+               : known.isOfCall && isOtherwise(own, row) ? Rank::Called
+                                                         : Rank::Single;
+    }
+
+private:
+    struct Known {
+        Naming naming = Naming::Silent;
+        bool givesNumbers = false;
+        bool writesBack = false;
+        bool isOfCall = false;
+    };
+
+    ProgramLines m_program;
+    std::vector<Known> m_known{};
+};
 
 } // namespace
 
 void putInOrder(std::vector<Repair> &repairs, const QString &source, const std::set<int> &sound,
                 bool triesNumbers)
 {
-    static const QRegularExpression verdict(QStringLiteral("\\bif (true|false) then\\b"));
-    static const QRegularExpression number(
-        QStringLiteral("^\\s*(local\\s+)?\\w+(\\s*,\\s*\\w+)*\\s*=\\s*-?[\\d.]+(\\s*,\\s*-?[\\d.]+)"
-                       "*\\s*(--.*)?$"));
-    static const QRegularExpression writeBack(
-        QStringLiteral("^\\s*[\\w.\\[\\]]+\\.(velocity|position)\\s*=\\s*\\w+\\s*(--.*)?$"));
-    static const QRegularExpression doubled(
-        QStringLiteral("([-+] [\\w.]+( \\* [\\w.]+)*) ?\\1\\b"));
-    const QStringList rows = source.split(QLatin1Char('\n'));
-    QStringList functions;
-    const ProgramLines program(source);
-    for (const ProgramFunction &each : functionsOf(program))
-        functions.append(each.name);
-    std::vector<Naming> namings;
-    std::transform(rows.begin(), rows.end(), std::back_inserter(namings), namingOf);
-    const auto rankOf = [&](const Repair &repair) {
-        const auto index = static_cast<std::size_t>(repair.line - 1);
-        const Naming before = namings[index];
-        const QString row = rowOf(repair.source, repair.line);
-        const Naming after = row == rows[repair.line - 1] ? before : namingOf(row);
-        if (before != Naming::Disagrees && after == Naming::Disagrees)
-            return Rank::Doubtful;
-        if (isFirstOfTwo(rows, repair.line, row))
-            return Rank::Doubtful;
-        if (triesNumbers && row.contains(number) && rows[repair.line - 1].contains(number))
-            return Rank::Told;
-        if (repair.told || (before == Naming::Disagrees && after != Naming::Disagrees))
-            return Rank::Told;
-        const bool isDropped = row.isEmpty() && rows[repair.line - 1].contains(writeBack);
-        const bool isLast = isDropped || row.contains(verdict) || row.contains(doubled)
-                            || sound.contains(repair.line);
-        if (isLast)
-            return Rank::Doubtful;
-        return !repair.alone                                     ? Rank::Twins
-               : isOfCall(rows[repair.line - 1], row, functions) ? Rank::Called
-                                                                 : Rank::Single;
-    };
+    const Rows rows(source);
     std::vector<std::pair<Rank, Repair>> ranked;
     for (Repair &repair : repairs) {
-        const Rank rank = rankOf(repair);
+        const Rank rank = rows.rankOf(repair, sound.contains(repair.line), triesNumbers);
         repair.isDoubtful = rank == Rank::Doubtful;
         ranked.emplace_back(rank, std::move(repair));
     }

@@ -32,7 +32,9 @@ bool isAbsurd(const QString &source, qsizetype at)
     const qsizetype to = source.indexOf(QLatin1Char('\n'), at);
     static const QRegularExpression twice(QStringLiteral("\\b(\\w+), *\\1 *="));
     const QString row = source.mid(from, to < 0 ? -1 : to - from);
-    return row.contains(same) || row.contains(twice);
+    // A look for the signs without which nothing matches costs less, and most rows have none.
+    const bool compares = row.contains(u'<') || row.contains(u'>');
+    return (compares && row.contains(same)) || (row.contains(u',') && row.contains(twice));
 }
 
 } // namespace
@@ -143,8 +145,7 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
 {
     const ProgramLines program(source);
     RepairList repairs(program, source.contains(eWord) || reference.contains(eWord), most);
-    for (const int line : lines)
-        repairMirror(repairs, line);
+    repairMirrors(repairs, lines);
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairWords(repairs, i);

@@ -33,4 +33,10 @@ struct ProgramToken {
 /// The tokens of \p source, which is a program that can be read.
 [[nodiscard]] std::vector<ProgramToken> programTokens(const QString &source);
 
+/// Whether a name of Lua may have it: a letter, a digit or _.
+[[nodiscard]] inline bool isOfName(QChar c)
+{
+    return (c.unicode() < 128 && c.isLetterOrNumber()) || c == u'_';
+}
+
 } // namespace cradle
