@@ -17,6 +17,8 @@ private slots:
     void wayOfAStepIsTold_data();
     void wayOfAStepIsTold();
     void whoMovesInTheOwnSceneAloneIsTold();
+    void aLeapOfTheFirstStepIsTold_data();
+    void aLeapOfTheFirstStepIsTold();
     void aPartThatIsBrakedBlursNoOther();
     void ofWallsNoFirstStepIsTold();
     void velocityThatIsWrittenCrossedIsTold();
@@ -82,6 +84,38 @@ void TestToldMotion::whoMovesInTheOwnSceneAloneIsTold()
                              "In the first step of your own scene it goes (#, #) m");
     QCOMPARE(n.size(), std::size_t{2});
     QVERIFY(isNear(n[0], 2.0 / 60.0));
+}
+
+void TestToldMotion::aLeapOfTheFirstStepIsTold_data()
+{
+    QTest::addColumn<QString>("walls");
+    QTest::newRow("into a corner") << "reflect(c, vec(1, 0)) reflect(c, vec(-1, 0)) "
+                                      "reflect(c, vec(0, 1)) reflect(c, vec(0, -1))";
+    QTest::newRow("to one wall") << "reflect(c, vec(0, 1)) reflect(c, vec(0, -1))";
+}
+
+/// Who sticks where the first step has put it is moved by that step, and far.
+void TestToldMotion::aLeapOfTheFirstStepIsTold()
+{
+    QFETCH(QString, walls);
+    const QString program = QStringLiteral("local function reflect(c, n) "
+                                           "local out = dot(c.position, n) + c.radius - 4 "
+                                           "local speed = dot(c.velocity, n) "
+                                           "if out > 0 or speed > 0 then "
+                                           "c.position = c.position - out * n "
+                                           "c.velocity = c.velocity - 2 * speed * n end end "
+                                           "function on_update(h) "
+                                           "local c = circle1 "
+                                           "c.position = c.position + c.velocity * h "
+                                           "c.velocity = c.velocity + gravity * h %1 end")
+                                .arg(walls);
+    const auto n = numbersIn(
+        bodyOfProgram("L42T3", program, "A step takes circle 1 much farther than its velocity"),
+        "Started with (#, #) m/s, away from every wall and every other circle, it goes (#, #) m in "
+        "the first step of 1/# s; v Δt is (#, #) m.");
+    QCOMPARE(n.size(), std::size_t{7});
+    QVERIFY(length({n[2], n[3]}) > 1.0);
+    QVERIFY(isNear(Vec2{n[5], n[6]}, 1.0 / n[4] * Vec2{n[0], n[1]}));
 }
 
 /// What brakes the velocity may be seen in the way of the same step, but does not make it twice as

@@ -134,6 +134,14 @@ void addWalls()
            "(0.1, 0) to (-0.3, 0) m/s; (0.1, 0) m/s is right. Hits are judged once this "
            "is mended",
            2, 0.1, -0.3, "m/s");
+    // A wall that keeps all would turn it round whole.
+    addRow("slower, the other way, in the open", bounces,
+           drift(beside({.position = {1, 0}, .velocity = {1, 0}}),
+                 change(2, 1, [](Circle &c) { c.velocity.x = -0.3; })),
+           "At step 2, which began away from the walls, the velocity of circle 2 went from "
+           "(1, 0) to (-0.3, 0) m/s; (1, 0) m/s is right. Hits are judged once this "
+           "is mended",
+           2, 1.0, -0.3, "m/s");
     addRow("stops on the way", check("bounces", {1}),
            drift(beside({.velocity = {1, 0}}), {{3, [](Circles &c) { c[1].velocity = {}; }}}),
            "Turns at walls in 1 s: 0; at least 1 must be seen to judge them. From 0.3 s on nothing "

@@ -5894,6 +5894,14 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
         <translation>والسرعة أو الموضع القديم الذي يحتفظ به برنامجك في متغير خاص به يجب أن يتغير هو أيضًا عند التصادم.</translation>
     </message>
+    <message>
+        <source>A step takes %who much farther than its velocity does</source>
+        <translation>تنقل الخطوةُ %who أبعد بكثير مما تنقلها سرعتها</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it goes %2 m in the first step of %3 s; v Δt is %4 m. Look at which lines change the position, and at what is asked before them.</source>
+        <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ بعيدًا عن كل جدار وعن كل دائرة أخرى، قطعت ⁦%2 m⁩ في الخطوة الأولى ومدتها ⁦%3 s⁩؛ وقيمة v Δt هي ⁦%4 m⁩. انظر أيُّ الأسطر تغيّر الموضع، وما الذي يُسأل قبلها.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5810,6 +5810,14 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
         <translation>Auch eine Geschwindigkeit oder ein alter Ort, die dein Programm in einer eigenen Variablen behält, müssen sich bei einem Stoß ändern.</translation>
     </message>
+    <message>
+        <source>A step takes %who much farther than its velocity does</source>
+        <translation>Ein Schritt bringt %who viel weiter als seine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it goes %2 m in the first step of %3 s; v Δt is %4 m. Look at which lines change the position, and at what is asked before them.</source>
+        <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, kommt er im ersten Schritt von %3 s %2 m weit; v Δt ist %4 m. Sieh nach, welche Zeilen die Position ändern und was vor ihnen gefragt wird.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

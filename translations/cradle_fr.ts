@@ -5810,6 +5810,14 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>A velocity or an old place that your program keeps in a variable of its own must change at a hit, too.</source>
         <translation>Une vitesse ou une ancienne position que votre programme garde dans une variable à lui doit changer au choc, elle aussi.</translation>
     </message>
+    <message>
+        <source>A step takes %who much farther than its velocity does</source>
+        <translation>Un pas emmène %who bien plus loin que sa vitesse</translation>
+    </message>
+    <message>
+        <source>Started with %1 m/s, away from every wall and every other circle, it goes %2 m in the first step of %3 s; v Δt is %4 m. Look at which lines change the position, and at what is asked before them.</source>
+        <translation>Parti à %1 m/s, loin de toute paroi et de tout autre cercle, il parcourt %2 m au premier pas de %3 s&#xa0;; v Δt vaut %4 m. Regardez quelles lignes changent la position et ce qui est demandé avant elles.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -19,8 +19,6 @@ struct BounceText {
 
 /// What a wall only holds falls for less than so many steps before it is stopped again.
 constexpr double heldSteps = 1.5;
-/// What turns round and is so many times as fast as before was not turned by a wall.
-constexpr double mostBack = 2.0;
 /// Relative: what is turned round keeps its part along the wall, and gets no faster.
 constexpr double turnedTolerance = 1e-6;
 
@@ -81,9 +79,22 @@ std::optional<Fault> Turn::faultAlong(Wall low, Wall high) const
         return steady;
     if (hitsOther || (!turned && motion::isNearWall(o, circle, step, gravity)))
         return alongWall(axis, change);
-    if (std::abs(after) > mostBack * std::abs(kept) || isOfAnother())
+    if (!isMirrored(axis, kept, after) || isOfAnother())
         return motion::changedInOpen(o, circle, step, gravity);
     return fault(beforeTouching(o, circle, step, ahead), kept, after);
+}
+
+bool Turn::isMirrored(Vec2 axis, double kept, double after) const
+{
+    const double pull = dot(gravity, axis) * o.timestep();
+    const double slack = turnedTolerance * (1.0 + quickLength(o.circle(circle, step).velocity));
+    const auto isTurned = [&](double share) {
+        // Gravity of this step may act before the turn or after it.
+        const double first = pull - share * (kept - pull);
+        const double last = -share * kept;
+        return after >= std::min(first, last) - slack && after <= std::max(first, last) + slack;
+    };
+    return isTurned(1.0) || isTurned(restitution);
 }
 
 bool Turn::isOfAnother() const

@@ -33,6 +33,9 @@ struct Turn {
 private:
     /// Whether the way of one step, along its normal, takes the rim to that wall, or the step did.
     [[nodiscard]] bool reaches(Wall wall) const;
+    /// Whether the velocity along \p axis, \p kept but for the turn, m/s, has come out as a wall
+    /// makes it: turned round, or e times as fast.
+    [[nodiscard]] bool isMirrored(Vec2 axis, double kept, double after) const;
     /// Whether another circle, too, is changed in that step: then they may have answered each
     /// other.
     [[nodiscard]] bool isOfAnother() const;

@@ -161,6 +161,10 @@ protected:
 [[nodiscard]] std::optional<FlightSaid> strayWallSaid(const FlightComparison &comparison);
 /// What is wrong with the way of a circle in a step; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> waySaid(const FlightComparison &comparison);
+/// The same of one that is no share of the velocity.
+[[nodiscard]] FlightSaid oddWaySaid(const FlightComparison &comparison);
+/// That the first step of a run takes a circle far away, and the next ones do not.
+[[nodiscard]] std::optional<FlightSaid> leapingWaySaid(const FlightComparison &comparison);
 
 /// What is wrong with the fall of a circle under gravity; the first that is found.
 [[nodiscard]] std::optional<FlightSaid> fallSaid(const FlightComparison &comparison);
