@@ -17,6 +17,8 @@ private slots:
     void wayOfAStepIsTold_data();
     void wayOfAStepIsTold();
     void whoMovesInTheOwnSceneAloneIsTold();
+    void aStartThatIsCopiedTooEarlyIsTold_data();
+    void aStartThatIsCopiedTooEarlyIsTold();
     void aLeapOfTheFirstStepIsTold_data();
     void aLeapOfTheFirstStepIsTold();
     void aPartThatIsBrakedBlursNoOther();
@@ -84,6 +86,61 @@ void TestToldMotion::whoMovesInTheOwnSceneAloneIsTold()
                              "In the first step of your own scene it goes (#, #) m");
     QCOMPARE(n.size(), std::size_t{2});
     QVERIFY(isNear(n[0], 2.0 / 60.0));
+}
+
+void TestToldMotion::aStartThatIsCopiedTooEarlyIsTold_data()
+{
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("after");
+    QTest::addColumn<QString>("seen");
+    QTest::newRow("both") << "p, v = c.position, c.velocity"
+                          << ""
+                          << "Your program sets it at (#, #) m with (#, #) m/s, and one step later "
+                             "it is at (#, #) m with (#, #) m/s: that step goes on from (#, #) m "
+                             "and (#, #) m/s, which the scene gives it.";
+    QTest::newRow("place") << "p = c.position"
+                           << "v = c.velocity"
+                           << "Your program sets it at (#, #) m, and one step later it is at (#, "
+                              "#) m: that step goes on from (#, #) m, where the scene has it.";
+    QTest::newRow("velocity") << "v = c.velocity"
+                              << "p = c.position"
+                              << "Your program starts it with (#, #) m/s, and one step later it "
+                                 "has (#, #) m/s: that step goes on from (#, #) m/s, which the "
+                                 "scene gives it.";
+}
+
+/// Only the own scene shows it, in which the program sets what the scene has otherwise.
+void TestToldMotion::aStartThatIsCopiedTooEarlyIsTold()
+{
+    QFETCH(QString, before);
+    QFETCH(QString, after);
+    QFETCH(QString, seen);
+    const QString program = QStringLiteral("local c, p, v = circle1 "
+                                           "function on_load() gravity = vec(0, -9.81) %1 "
+                                           "c.position, c.velocity = vec(-1.5, 2.5), vec(3, 0.5) "
+                                           "%2 end "
+                                           "function on_update(h) "
+                                           "p, v = p + v * h, v + gravity * h "
+                                           "c.position, c.velocity = p, v end")
+                                .arg(before, after);
+    const auto n =
+        numbersIn(bodyOfProgram("L42T3", program,
+                                "The start of circle 1 in your own scene is not taken over"),
+                  qPrintable(seen));
+    QVERIFY(!n.empty());
+    const double h = 1.0 / 60.0;
+    if (before.startsWith(u'v')) {
+        QVERIFY(isNear(Vec2{n[0], n[1]}, Vec2{3.0, 0.5}));
+        QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{n[4], n[5] - 9.81 * h}));
+        return;
+    }
+    QVERIFY(isNear(Vec2{n[0], n[1]}, Vec2{-1.5, 2.5}));
+    if (n.size() == 6) {
+        QVERIFY(isNear(Vec2{n[2], n[3]}, Vec2{n[4], n[5]} + h * Vec2{3.0, 0.5}));
+        return;
+    }
+    QVERIFY(isNear(Vec2{n[4], n[5]}, Vec2{n[8], n[9]} + h * Vec2{n[10], n[11]}));
+    QVERIFY(isNear(Vec2{n[6], n[7]}, Vec2{n[10], n[11] - 9.81 * h}));
 }
 
 void TestToldMotion::aLeapOfTheFirstStepIsTold_data()

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/wall_words.h"
 
-#include "tests/law_programs.h"
+#include "tests/told_numbers.h"
 
 using namespace cradle;
 using namespace cradle::programs;
@@ -16,6 +16,8 @@ private slots:
     void initTestCase() { read(shippedLab); }
     void finding_data();
     void finding();
+    void latePartIsToldWithItsDepth_data();
+    void latePartIsToldWithItsDepth();
 };
 
 namespace {
@@ -113,6 +115,43 @@ void TestWallCorners::finding()
     for (const LawDeviation &deviation : found)
         headlines.append(deviation.message.section(QLatin1Char('\n'), 0, 0));
     QCOMPARE(headlines, headline.isEmpty() ? QStringList() : QStringList(headline));
+}
+
+void TestWallCorners::latePartIsToldWithItsDepth_data()
+{
+    QTest::addColumn<QString>("walls");
+    QTest::addColumn<bool>("isLate");
+    const QString both = QStringLiteral("if math.abs(p.x) + r > 4 and p.x * v.x > 0 then "
+                                        "c.velocity = vec(-v.x, v.y) %1 end "
+                                        "if math.abs(p.y) + r > 4 and p.y * v.y > 0 then "
+                                        "c.velocity = vec(%2.x, -v.y) %1 end");
+    QTest::newRow("of the velocity before") << both.arg(QString(), QStringLiteral("v")) << true;
+    QTest::newRow("and put back") << both.arg(QStringLiteral("c.position = old"),
+                                              QStringLiteral("v"))
+                                  << false;
+    QTest::newRow("right") << both.arg(QString(), QStringLiteral("c.velocity")) << false;
+}
+
+/// Who is put back may be turned by the other wall a step later.
+void TestWallCorners::latePartIsToldWithItsDepth()
+{
+    QFETCH(QString, walls);
+    QFETCH(bool, isLate);
+    const QString source = program("gravity", qPrintable(walls));
+    const LawBench bench(task(QStringLiteral("L42T2")));
+    const MeasuredLaws own(&source, bench.ground);
+    QVERIFY(wallDeviations(own.walls(), bench.right.walls(), bench.ground).empty());
+    const auto late = lateInCorner(own.walls(), bench.right.walls(), bench.ground);
+    QCOMPARE(late.has_value(), isLate);
+    if (!late)
+        return;
+    const auto n = told::numbersIn(
+        told::bodyOf({*late}, QStringLiteral("In a corner one part of the velocity of circle 1")),
+        "Circle # came with (#, #) m/s and has (#, #) m/s after the step that brought it into "
+        "the corner, with its rim # m beyond the");
+    QCOMPARE(n.size(), std::size_t{6});
+    QVERIFY(told::isNear(n[3], n[1]) && told::isNear(n[4], -n[2]));
+    QVERIFY(n[5] > 0.0 && n[5] < std::abs(n[1]) / 20.0);
 }
 
 QTEST_GUILESS_MAIN(TestWallCorners)

@@ -5902,6 +5902,34 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>Started with %1 m/s, away from every wall and every other circle, it goes %2 m in the first step of %3 s; v Δt is %4 m. Look at which lines change the position, and at what is asked before them.</source>
         <translation>إذا بدأت بسرعة ⁦%1 m/s⁩ بعيدًا عن كل جدار وعن كل دائرة أخرى، قطعت ⁦%2 m⁩ في الخطوة الأولى ومدتها ⁦%3 s⁩؛ وقيمة v Δt هي ⁦%4 m⁩. انظر أيُّ الأسطر تغيّر الموضع، وما الذي يُسأل قبلها.</translation>
     </message>
+    <message>
+        <source>Your program sets it at %1 m, and one step later it is at %2 m: that step goes on from %3 m, where the scene has it.</source>
+        <translation>يضعها برنامجك عند ⁦%1 m⁩، وبعد خطوة واحدة تكون عند ⁦%2 m⁩: فهذه الخطوة تنطلق من ⁦%3 m⁩، حيث يضعها المشهد.</translation>
+    </message>
+    <message>
+        <source>Your program starts it with %1 m/s, and one step later it has %2 m/s: that step goes on from %3 m/s, which the scene gives it.</source>
+        <translation>يبدأ بها برنامجك بسرعة ⁦%1 m/s⁩، وبعد خطوة واحدة تكون سرعتها ⁦%2 m/s⁩: فهذه الخطوة تنطلق من ⁦%3 m/s⁩، وهي ما يعطيها المشهد.</translation>
+    </message>
+    <message>
+        <source>Your program sets it at %1 m with %2 m/s, and one step later it is at %3 m with %4 m/s: that step goes on from %5 m and %6 m/s, which the scene gives it.</source>
+        <translation>يضعها برنامجك عند ⁦%1 m⁩ بسرعة ⁦%2 m/s⁩، وبعد خطوة واحدة تكون عند ⁦%3 m⁩ بسرعة ⁦%4 m/s⁩: فهذه الخطوة تنطلق من ⁦%5 m⁩ ومن ⁦%6 m/s⁩، وهي ما يعطيها المشهد.</translation>
+    </message>
+    <message>
+        <source>The start of %who in your own scene is not taken over</source>
+        <translation>لا تؤخذ بداية %who في مشهدك كما هي</translation>
+    </message>
+    <message>
+        <source>A copy keeps the value of the moment when it was made: is it made before the start is set?</source>
+        <translation>تحتفظ النسخة بقيمة اللحظة التي أُخذت فيها: فهل تؤخذ قبل ضبط البداية؟</translation>
+    </message>
+    <message>
+        <source>In a corner one part of the velocity of %who turns round too late</source>
+        <translation>في الزاوية ترتدّ مركّبة واحدة من سرعة %who متأخرة</translation>
+    </message>
+    <message>
+        <source>Circle %1 came with %2 m/s and has %3 m/s after the step that brought it into the corner, with its rim %4 m beyond the %5. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
+        <translation>جاءت الدائرة ⁨%1⁩ بسرعة ⁦%2 m/s⁩، وسرعتها ⁦%3 m/s⁩ بعد الخطوة التي أوصلتها إلى الزاوية، وحافتها على بعد ⁦%4 m⁩ وراء ⁨%5⁩. يُصدم الجداران في الخطوة نفسها، وعلى كل منهما أن يعكس مركّبته، أيهما جاء أولًا.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5818,6 +5818,34 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>Started with %1 m/s, away from every wall and every other circle, it goes %2 m in the first step of %3 s; v Δt is %4 m. Look at which lines change the position, and at what is asked before them.</source>
         <translation>Mit %1 m/s gestartet, fern von jeder Wand und jedem anderen Kreis, kommt er im ersten Schritt von %3 s %2 m weit; v Δt ist %4 m. Sieh nach, welche Zeilen die Position ändern und was vor ihnen gefragt wird.</translation>
     </message>
+    <message>
+        <source>Your program sets it at %1 m, and one step later it is at %2 m: that step goes on from %3 m, where the scene has it.</source>
+        <translation>Dein Programm setzt ihn auf %1 m, und einen Schritt später ist er bei %2 m: Dieser Schritt geht von %3 m aus, wo die Szene ihn hat.</translation>
+    </message>
+    <message>
+        <source>Your program starts it with %1 m/s, and one step later it has %2 m/s: that step goes on from %3 m/s, which the scene gives it.</source>
+        <translation>Dein Programm startet ihn mit %1 m/s, und einen Schritt später hat er %2 m/s: Dieser Schritt geht von %3 m/s aus, die ihm die Szene gibt.</translation>
+    </message>
+    <message>
+        <source>Your program sets it at %1 m with %2 m/s, and one step later it is at %3 m with %4 m/s: that step goes on from %5 m and %6 m/s, which the scene gives it.</source>
+        <translation>Dein Programm setzt ihn mit %2 m/s auf %1 m, und einen Schritt später ist er mit %4 m/s bei %3 m: Dieser Schritt geht von %5 m und %6 m/s aus, die ihm die Szene gibt.</translation>
+    </message>
+    <message>
+        <source>The start of %who in your own scene is not taken over</source>
+        <translation>Der Start von %who in deiner eigenen Szene wird nicht übernommen</translation>
+    </message>
+    <message>
+        <source>A copy keeps the value of the moment when it was made: is it made before the start is set?</source>
+        <translation>Eine Kopie behält den Wert des Augenblicks, in dem sie gemacht wurde: Wird sie gemacht, bevor der Start gesetzt ist?</translation>
+    </message>
+    <message>
+        <source>In a corner one part of the velocity of %who turns round too late</source>
+        <translation>In einer Ecke kehrt ein Anteil der Geschwindigkeit von %who zu spät um</translation>
+    </message>
+    <message>
+        <source>Circle %1 came with %2 m/s and has %3 m/s after the step that brought it into the corner, with its rim %4 m beyond the %5. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
+        <translation>Kreis %1 kam mit %2 m/s und hat %3 m/s nach dem Schritt, der ihn in die Ecke brachte, mit dem Rand %4 m hinter %5. Beide Wände werden im selben Schritt getroffen, und jede muss ihren eigenen Anteil umkehren, gleich welche zuerst kommt.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

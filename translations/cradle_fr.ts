@@ -5818,6 +5818,34 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>Started with %1 m/s, away from every wall and every other circle, it goes %2 m in the first step of %3 s; v Δt is %4 m. Look at which lines change the position, and at what is asked before them.</source>
         <translation>Parti à %1 m/s, loin de toute paroi et de tout autre cercle, il parcourt %2 m au premier pas de %3 s&#xa0;; v Δt vaut %4 m. Regardez quelles lignes changent la position et ce qui est demandé avant elles.</translation>
     </message>
+    <message>
+        <source>Your program sets it at %1 m, and one step later it is at %2 m: that step goes on from %3 m, where the scene has it.</source>
+        <translation>Votre programme le place à %1 m, et un pas plus tard il est à %2 m&#xa0;: ce pas part de %3 m, où la scène le place.</translation>
+    </message>
+    <message>
+        <source>Your program starts it with %1 m/s, and one step later it has %2 m/s: that step goes on from %3 m/s, which the scene gives it.</source>
+        <translation>Votre programme le lance à %1 m/s, et un pas plus tard il a %2 m/s&#xa0;: ce pas part de %3 m/s, que lui donne la scène.</translation>
+    </message>
+    <message>
+        <source>Your program sets it at %1 m with %2 m/s, and one step later it is at %3 m with %4 m/s: that step goes on from %5 m and %6 m/s, which the scene gives it.</source>
+        <translation>Votre programme le place à %1 m avec %2 m/s, et un pas plus tard il est à %3 m avec %4 m/s&#xa0;: ce pas part de %5 m et de %6 m/s, que lui donne la scène.</translation>
+    </message>
+    <message>
+        <source>The start of %who in your own scene is not taken over</source>
+        <translation>Le départ de %who dans votre propre scène n&apos;est pas repris</translation>
+    </message>
+    <message>
+        <source>A copy keeps the value of the moment when it was made: is it made before the start is set?</source>
+        <translation>Une copie garde la valeur du moment où elle a été faite&#xa0;: est-elle faite avant que le départ soit fixé&#xa0;?</translation>
+    </message>
+    <message>
+        <source>In a corner one part of the velocity of %who turns round too late</source>
+        <translation>Dans un coin, une composante de la vitesse de %who fait demi-tour trop tard</translation>
+    </message>
+    <message>
+        <source>Circle %1 came with %2 m/s and has %3 m/s after the step that brought it into the corner, with its rim %4 m beyond the %5. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
+        <translation>Le cercle %1 arrivait à %2 m/s et a %3 m/s après le pas qui l&apos;a amené dans le coin, son bord dépassant %5 de %4 m. Les deux parois sont touchées au même pas, et chacune doit retourner sa propre composante, quelle que soit la première.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

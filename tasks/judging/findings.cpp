@@ -10,6 +10,7 @@
 #include "tasks/judging/known_mistakes.h"
 #include "tasks/judging/own_meeting_words.h"
 #include "tasks/judging/own_wall_words.h"
+#include "tasks/judging/program_work.h"
 #include "tasks/judging/start_words.h"
 #include "tasks/judging/step_deviations.h"
 #include "tasks/judging/task_laws.h"
@@ -17,6 +18,7 @@
 #include "tasks/judging/unchanged_words.h"
 #include "tasks/judging/unread_field.h"
 #include "tasks/judging/wall_together_words.h"
+#include "tasks/judging/wall_words.h"
 #include "tasks/script/script_limits.h"
 
 #include <algorithm>
@@ -45,7 +47,7 @@ public:
 
     [[nodiscard]] std::vector<Finding> find()
     {
-        const qint64 work = workOfAStep();
+        const qint64 work = workOfAStep(m_submission.program(), m_ground.own);
         if (m_ground.timesteps.empty() || m_ground.gravities.empty() || work > mostWork)
             return {};
         m_found.emplace(m_task, m_submission, m_deviations,
@@ -151,8 +153,8 @@ private:
             take(Aspect::Walls, {*fall});
     }
 
-    /// What only other circles at walls or long rests show, where walls fail and nothing is known
-    /// of it.
+    /// What only other circles at walls, long rests or late answers in a corner show, where walls
+    /// fail and nothing is known of it.
     void takeStagedWalls()
     {
         const QString *program = m_submission.program();
@@ -162,6 +164,8 @@ private:
         auto found = together();
         if (!found)
             found = restAtFloor(*program, m_task.solution, m_ground);
+        if (!found)
+            found = lateInCorner(m_own.walls(), m_right.walls(), m_ground);
         if (found)
             take(Aspect::Walls, {*found});
     }
@@ -183,17 +187,6 @@ private:
         return m_submission.program() && !m_task.solution.isEmpty()
                    ? wallsTogether(*m_submission.program(), m_task.solution, m_ground)
                    : std::nullopt;
-    }
-
-    /// Instructions that an update takes; a program of the lab takes some hundred.
-    [[nodiscard]] qint64 workOfAStep() const
-    {
-        constexpr int steps = 20;
-        Probe probe(m_submission.program(), {m_ground.own, false});
-        const qint64 before = probe.instructions();
-        for (int k = 0; k < steps && probe.step(); ++k) {
-        }
-        return (probe.instructions() - before) / steps;
     }
 
     /// More would take longer than a student waits: some thousand steps are measured, and for the

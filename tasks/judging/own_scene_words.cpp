@@ -50,6 +50,54 @@ public:
     {
     }
 
+    /// Its first step must go on from the start that the program sets, not from what the scene has
+    /// before that.
+    [[nodiscard]] std::optional<FlightSaid> older() const
+    {
+        const MeasuredFlight::Own &own = m_own.own();
+        const auto i = static_cast<std::size_t>(m_i);
+        if (i >= own.ways.size() || i >= m_ground.own.circles.size())
+            return std::nullopt;
+        const double h = own.scene.timestep;
+        const Circle &start = own.scene.circles[i].body;
+        const Circle &old = m_ground.own.circles[i].body;
+        const Motion is{start.position + own.ways[i], start.velocity + h * own.accelerations[i]};
+        const auto goesOnFrom = [&](Vec2 place, Vec2 velocity) {
+            Circle from = start;
+            from.position = place;
+            from.velocity = velocity;
+            const Motion next = m_right.at(own.scene.gravity, h, m_i).after(from, h);
+            return isAlike(is.position, next.position) && isAlike(is.velocity, next.velocity);
+        };
+        if (goesOnFrom(start.position, start.velocity))
+            return std::nullopt;
+        const bool isPlace = goesOnFrom(old.position, start.velocity);
+        const bool isVelocity = goesOnFrom(start.position, old.velocity);
+        if (!isPlace && !isVelocity && !goesOnFrom(old.position, old.velocity))
+            return std::nullopt;
+        const QString text =
+            isPlace ? FlightText::tr("Your program sets it at %1 m, and one step later it is at %2 "
+                                     "m: that step goes on from %3 m, where the scene has it.")
+                          .arg(brief(start.position), brief(is.position), brief(old.position))
+            : isVelocity
+                ? FlightText::tr("Your program starts it with %1 m/s, and one step later it has "
+                                 "%2 m/s: that step goes on from %3 m/s, which the scene gives it.")
+                      .arg(brief(start.velocity), brief(is.velocity), brief(old.velocity))
+                : FlightText::tr("Your program sets it at %1 m with %2 m/s, and one step later it "
+                                 "is at %3 m with %4 m/s: that step goes on from %5 m and %6 m/s, "
+                                 "which the scene gives it.")
+                      .arg(brief(start.position), brief(start.velocity), brief(is.position),
+                           brief(is.velocity), brief(old.position), brief(old.velocity));
+        return FlightSaid{
+            FlightText::tr("The start of %who in your own scene is not taken over"),
+            text + QLatin1Char(' ')
+                + FlightText::tr("A copy keeps the value of the moment when it was made: is it "
+                                 "made before the start is set?"),
+            {{m_ground.own, false}, 1, {m_i}, !isVelocity},
+            false,
+            Suspect::Begun};
+    }
+
     /// The own scene must fall as all others do: else a copy of gravity is older than gravity.
     [[nodiscard]] std::optional<FlightSaid> fall() const
     {
@@ -186,8 +234,11 @@ std::optional<FlightSaid> heavierSaid(const FlightComparison &comparison, Vec2 g
 std::optional<FlightSaid> ownSceneSaid(const FlightComparison &comparison)
 {
     const OwnSceneJudge judge(comparison);
-    const auto fall = judge.fall();
-    return fall ? fall : judge.start();
+    for (const auto law : {&OwnSceneJudge::older, &OwnSceneJudge::fall, &OwnSceneJudge::start}) {
+        if (auto fault = (judge.*law)())
+            return fault;
+    }
+    return std::nullopt;
 }
 
 } // namespace cradle

@@ -298,7 +298,9 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
             return line;
         return last < 1 || last > program.count() ? 0 : startLine(program, last);
     case Suspect::Begun:
-        return last < 1 || last > program.count() ? 0 : begunLine(program, last);
+        if (const int line = last < 1 || last > program.count() ? 0 : begunLine(program, last))
+            return line;
+        return earlyLine(program, {QStringLiteral("position"), QStringLiteral("velocity")});
     case Suspect::Omission:
         return deviation.aspect == Aspect::Walls ? lineOfMissingWall(deviation, program, rows) : 0;
     case Suspect::Answer:

@@ -102,6 +102,8 @@ protected:
 [[nodiscard]] std::optional<LawDeviation> kickedDeviation(const WallComparison &walls);
 /// A hit in whose step another circle does not go on as it does without one.
 [[nodiscard]] std::optional<LawDeviation> disturbedDeviation(const WallComparison &walls);
+/// What two walls that are hit at once make of a velocity, where each is right by itself.
+[[nodiscard]] std::optional<LawDeviation> cornerDeviation(const WallComparison &walls);
 /// What walls make of a velocity that they should not.
 [[nodiscard]] std::vector<LawDeviation> answerDeviations(const WallComparison &walls);
 

@@ -31,8 +31,9 @@ public:
         take(putDeviations(*this, m_isElsewhere));
         take(answerDeviations(*this));
         take(disturbedDeviation(*this));
-        findCorners();
-        findStopInCorner();
+        // What a single wall does wrong a corner shows, too.
+        if (m_found.empty())
+            take(cornerDeviation(*this));
         findNoWayBack();
         if (m_found.empty())
             take(slowAnswerDeviations(*this));
@@ -62,77 +63,6 @@ private:
         if (m_found.size() == before)
             take(slowEarlyDeviation(*this));
         m_isElsewhere = m_found.size() > before;
-    }
-
-    void findCorners()
-    {
-        // What a single wall does wrong a corner shows, too.
-        if (!m_found.empty())
-            return;
-        for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
-            const WallHit &hit = m_own.corners[i];
-            if (!losesPart(i))
-                continue;
-            add(WallText::tr("In a corner only one part of the velocity of %who turns round"),
-                WallText::tr("Circle %3 came with %1 m/s and left with %2 m/s. Both walls are hit "
-                             "in the same step, and each must turn its own part, whichever comes "
-                             "first.")
-                    .arg(brief(hit.came), brief(hit.left))
-                    .arg(hit.circle + 1),
-                hit, {cornered(), {}}, Suspect::Answer);
-            return;
-        }
-    }
-
-    /// That a circle that hits two walls at once has no velocity left.
-    void findStopInCorner()
-    {
-        if (!m_found.empty())
-            return;
-        std::set<int> circles;
-        const WallHit *shown = nullptr;
-        for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
-            const WallHit &hit = m_own.corners[i];
-            if (!m_right.corners[i].turnsBoth || hit.missed || !hit.turned
-                || length(hit.left) > 0.01 * length(hit.came))
-                continue;
-            circles.insert(hit.circle);
-            shown = shown ? shown : &hit;
-        }
-        if (!shown)
-            return;
-        add(WallText::tr("In a corner the velocity of %who is lost"),
-            WallText::tr("Circle %3 came with %1 m/s and has %2 m/s after it. Both walls are hit "
-                         "in the same step, and each must turn its own part.")
-                .arg(brief(shown->came), brief(shown->left))
-                .arg(shown->circle + 1),
-            *shown, {{circles.begin(), circles.end()}, {}}, Suspect::Answer);
-    }
-
-    /// Whether hit \p i in a corner turns one part alone where the reference turns both.
-    [[nodiscard]] bool losesPart(std::size_t i) const
-    {
-        const WallHit &hit = m_own.corners[i];
-        return m_right.corners[i].turnsBoth && !hit.missed && hit.turned && !hit.turnsBoth
-               && turnsOnePart(hit);
-    }
-
-    [[nodiscard]] std::vector<int> cornered() const
-    {
-        std::set<int> circles;
-        for (std::size_t i = 0; i < m_own.corners.size(); ++i) {
-            if (losesPart(i))
-                circles.insert(m_own.corners[i].circle);
-        }
-        return {circles.begin(), circles.end()};
-    }
-
-    /// Whether one part of the velocity was turned round, and the other goes on.
-    static bool turnsOnePart(const WallHit &hit)
-    {
-        const bool x = hit.came.x * hit.left.x < 0.0;
-        const bool y = hit.came.y * hit.left.y < 0.0;
-        return (x && hit.came.y * hit.left.y > 0.0) || (y && hit.came.x * hit.left.x > 0.0);
     }
 
     void findNoWayBack()

@@ -11,4 +11,8 @@ namespace cradle {
 [[nodiscard]] std::vector<LawDeviation>
 wallDeviations(const MeasuredWalls &own, const MeasuredWalls &right, const Ground &ground);
 
+/// That who comes into a corner is left beyond one of its walls, which turns it only later.
+[[nodiscard]] std::optional<LawDeviation>
+lateInCorner(const MeasuredWalls &own, const MeasuredWalls &right, const Ground &ground);
+
 } // namespace cradle
