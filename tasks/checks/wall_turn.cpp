@@ -121,7 +121,7 @@ std::optional<Fault> turnBeforeWall(const Observation &o, int i, qint64 k, Vec2 
         const double slack = turnedTolerance * quickLength(kept);
         const bool isTurned = quickLength(after - (kept - (speed + back) * n)) <= slack
                               && back > slack && back <= speed + slack;
-        if (speed > 0.0 && isTurned && motion::wallGap(o, o.circle(i, k), wall) <= widest)
+        if (isTurned && motion::wallGap(o, o.circle(i, k), wall) <= widest)
             return Fault{.message = beforeTouching(o, i, k, wall),
                          .expected = speed,
                          .observed = -back,
