@@ -20,6 +20,7 @@ private slots:
     void velocitiesAreThoseWithoutGravity();
     void whatWallsGiveIsLeftOut_data();
     void whatWallsGiveIsLeftOut();
+    void whatWallsGiveFirstHidesNoLaterContact();
     void threeStatesInsideAreMissed();
     void whoPartsInsideIsSeen_data();
     void whoPartsInsideIsSeen();
@@ -125,6 +126,10 @@ void TestContacts::whatWallsGiveIsLeftOut_data()
     row("turned by the wall, beside the other", {3.3, 0}, {}, {-1, 0}, {}, false);
     row("turned aslant, beside the other", {3.3, 0}, {}, {-1, 0.5}, {}, true);
     row("pushed into the wall", {3.3, 0}, {}, {2, 0}, {}, true);
+    row("pushed a little into the wall", {3.3, 0}, {}, {1.5, 0}, {}, true);
+    row("turned aslant by rounding", {3.3, 0}, {}, {-1, 2.9e-9}, {}, false);
+    row("turned aslant by more", {3.3, 0}, {}, {-1, 3.1e-9}, {}, true);
+    row("turned, but did not come to it", {3.75, 0.45}, {}, {1, 0}, {-1, 0}, true);
     row("the other is pushed, too", {3.3, 0}, {}, {-1, 0}, {-1, 0}, true);
     row("the other alone", {3.3, 0}, {}, {1, 0}, {-1, 0}, true);
     row("each by a wall, far away", {-3.75, 0}, {-1, 0}, {-1, 0}, {1, 0}, false);
@@ -151,12 +156,25 @@ void TestContacts::whatWallsGiveIsLeftOut()
     QCOMPARE(isSeen(1, 0), isContact);
 }
 
+void TestContacts::whatWallsGiveFirstHidesNoLaterContact()
+{
+    std::vector<Change> changes = kick(1, {-1, 0}, {});
+    changes.push_back(kick(2, {1, 0}, {-1, 0}).front());
+    const auto circles = two({3.75, 0}, {1, 0}, {3.3, 0}, {});
+    const auto contacts = contactsOf(drift(circles, changes, 0.3), 0, 1, {});
+    QCOMPARE(contacts.size(), std::size_t{1});
+    QCOMPARE(contacts[0].step, 1);
+}
+
 /// They come 0.05 m nearer in each step.
 void TestContacts::threeStatesInsideAreMissed()
 {
-    const auto missed = [](double distance, const std::vector<Change> &changes) {
-        return missedContact(drift(two({}, {0.5, 0}, {distance, 0}, {}), changes, 0.8), 0, 1);
+    const auto missed = [](double distance, const std::vector<Change> &changes,
+                           double duration = 0.8) {
+        return missedContact(drift(two({}, {0.5, 0}, {distance, 0}, {}), changes, duration), 0, 1);
     };
+    QCOMPARE(missed(0.43, {}, 0.3), 1); // by its very last state
+    QCOMPARE(missed(0.43, {}, 0.2), -1);
     QCOMPARE(missed(0.43, {}), 1);
     QCOMPARE(missed(0.38, {}), 0);
     QCOMPARE(missed(0.53, {}), 3);
@@ -177,6 +195,9 @@ void TestContacts::whoPartsInsideIsSeen_data()
     QTest::addColumn<Vec2>("after");
     QTest::addColumn<double>("place"); ///< of circle 1 after the hit, m before that of circle 2
     QTest::addColumn<bool>("isSeen");
+    // Both move aside with 3 m/s as well: 1 + 3 + 3 times a rounding.
+    QTest::newRow("parting by rounding") << Vec2{6.9e-9, 3} << 0.25 << false;
+    QTest::newRow("parting by more") << Vec2{7.1e-9, 3} << 0.25 << true;
     QTest::newRow("parting inside") << Vec2{1, 0} << 0.25 << true;
     QTest::newRow("parting slowly inside") << Vec2{1e-3, 0} << 0.25 << true;
     QTest::newRow("at one speed inside") << Vec2{} << 0.25 << false;
@@ -195,7 +216,7 @@ void TestContacts::whoPartsInsideIsSeen()
                                 {{2,
                                   [&](Circles &c) {
                                       c[0].position = {-place, 0};
-                                      c[0].velocity = {};
+                                      c[0].velocity = {0, after.y};
                                       c[1].velocity = after;
                                   }}},
                                 0.3);
