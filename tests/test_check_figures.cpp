@@ -30,6 +30,9 @@ void TestCheckFigures::figuresAreShort_data()
     QTest::newRow("an energy") << 25632.712 << QStringLiteral("25633");
     QTest::newRow("a rounded thousand") << 999.99 << QStringLiteral("1000");
     QTest::newRow("a large one") << -123456.7 << QStringLiteral("-123457");
+    QTest::newRow("the largest without an exponent") << 999999.0 << QStringLiteral("999999");
+    QTest::newRow("a million") << 1e6 << QStringLiteral("1e+06");
+    QTest::newRow("more than a million") << 1.5e6 << QStringLiteral("1.5e+06");
     QTest::newRow("absurdly large") << 1.23456e9 << QStringLiteral("1.235e+09");
 }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/runs/variant.h"
 
+#include "tasks/runs/meeting_scene.h"
 #include "tasks/runs/observation.h"
 
 #include "tests/variant_scenes.h"
 
+#include <map>
 #include <set>
 
 using namespace cradle;
@@ -17,6 +19,7 @@ class TestEncounterScenes : public QObject
     Q_OBJECT
 private slots:
     void encountersMeetInTheMiddle();
+    void fastOnesBeginInTheSquare();
     void encountersComeFromAllSides();
     void someAreExactlyLevelOrUpright();
     void encountersTakeTurnsInWhoCatchesUp();
@@ -59,6 +62,34 @@ void TestEncounterScenes::encountersMeetInTheMiddle()
             QVERIFY(std::abs(cross(d, normalized(v))) <= 0.9 * sum + 1e-9);
         }
     }
+}
+
+/// Each of the two a millimetre from each wall at least, and some of them hardly more.
+void TestEncounterScenes::fastOnesBeginInTheSquare()
+{
+    Preset preset = odd();
+    preset.halfWidth = 4.0;
+    SceneSpec fast;
+    fast.speeds = {5.0, 6.0};
+    fast.bothMove = true;
+    fast.offset = 0.9;
+    Random random(1);
+    std::map<std::pair<std::size_t, Wall>, double> least;
+    for (int i = 0; i < 10'000; ++i) {
+        placeEncounter(preset, fast, i, random.between(0.0, 360.0), random);
+        for (const std::size_t circle : {0U, 1U}) {
+            const Circle &c = preset.circles[circle].body;
+            for (const Wall wall : allWalls) {
+                const double gap =
+                    preset.halfWidth - c.radius - dot(c.position, outwardNormal(wall));
+                double &known = least.try_emplace({circle, wall}, gap).first->second;
+                known = std::min(known, gap);
+            }
+        }
+    }
+    QCOMPARE(least.size(), std::size_t{8});
+    for (const auto &[of, gap] : least)
+        QVERIFY2(gap >= 1e-3 - 1e-12 && gap < 8e-3, QByteArray::number(gap).constData());
 }
 
 void TestEncounterScenes::encountersComeFromAllSides()

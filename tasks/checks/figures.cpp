@@ -26,7 +26,7 @@ QString figureOf(double value, int digits)
     if (size < 1e-12)
         return QStringLiteral("0");
     // None that a circle's energy may have is written with an exponent.
-    if (size >= 1e3 && size < 1e6 && size >= std::pow(10.0, digits - 1))
+    if (size < 1e6 && size >= std::pow(10.0, digits - 1))
         return QString::number(value, 'f', 0);
     return QString::number(value, 'g', digits);
 }

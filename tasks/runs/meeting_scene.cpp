@@ -79,9 +79,9 @@ double massOf(const Circle &circle)
 
 /// The second hit of a rally whose first one is at speed 1 and distance 1 from the wall.
 struct Return {
-    double time = 0.0;    ///< from the first hit
-    double place = 0.0;   ///< its distance from the wall
-    double fastest = 0.0; ///< speed of the lighter circle from then on or just before
+    double time;    ///< from the first hit
+    double place;   ///< its distance from the wall
+    double fastest; ///< speed of the lighter circle from then on or just before
 };
 
 /// \param ratio  of the masses, the heavier by the lighter
