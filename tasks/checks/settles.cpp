@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 
 namespace cradle::kinds {
 
@@ -48,7 +49,7 @@ bool cameToFloor(const Observation &o, int i, Vec2 gravity)
 /// How high above the floor the rim of circle \p i still comes at the end, m.
 double lastHeight(const Observation &o, int i)
 {
-    double highest = -1e9;
+    double highest = std::numeric_limits<double>::lowest();
     for (qint64 k = o.steps(); k >= 0; --k) {
         if (o.states.time(k) < o.states.time(o.steps()) - lastSeconds)
             break;
