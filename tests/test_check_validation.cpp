@@ -19,6 +19,8 @@ private slots:
     void faultIsNamed_data();
     void faultIsNamed();
     void remarksAreJudgedToo();
+    void idsAreTheirOwn();
+    void listsAreOfAHundredAtMost();
     void everyBoundHolds_data();
     void everyBoundHolds();
 };
@@ -53,6 +55,8 @@ void TestCheckValidation::soundCheckIsAccepted_data()
     QTest::newRow("a moment at the end")
         << QByteArray(R"({"kind": "ends_at", "parameters": {"time": 2, "positions": [[1, 2]]},
                           "scene": {"kind": "own", "duration": 2}})");
+    QTest::newRow("one speed") << QByteArray(
+        R"({"kind": "start", "scene": {"kind": "flight", "speeds": [2, 2]}})");
     QTest::newRow("how many circles")
         << QByteArray(R"({"kind": "start", "parameters": {"count": 2, "radius": 0.2}})");
 }
@@ -72,6 +76,16 @@ void TestCheckValidation::faultIsNamed_data()
     };
     row("unknown kind", R"({"kind": "teleports"})",
         "kind: \"teleports\" is not right here; right would be one of start, integrates");
+    // Of what is not right the first sixty letters are shown, and of a name the first 64.
+    row("long, but no longer", R"({"kind": ")" + QByteArray(58, 'a') + R"("})",
+        "kind: \"" + QByteArray(58, 'a') + "\" is not right here");
+    row("longer", R"({"kind": ")" + QByteArray(59, 'a') + R"("})",
+        "kind: \"" + QByteArray(59, 'a') + "… is not right here");
+    row("long name", R"({"kind": "start", "parameters": {")" + QByteArray(70, 'a') + R"(": 1}})",
+        "parameters/" + QByteArray(70, 'a') + ": start has no parameter \"" + QByteArray(64, 'a')
+            + "\"; it has");
+    row("text in a vector", R"({"kind": "start", "parameters": {"position": ["a", 1]}})",
+        "parameters/position: [\"a\",1] is not right here");
     row("unknown parameter", R"({"kind": "start", "parameters": {"colour": 1}})",
         "parameters/colour: start has no parameter \"colour\"; it has position, velocity, radius");
     row("parameter of another kind", R"({"kind": "loses_energy", "parameters": {"laws": []}})",
@@ -140,6 +154,27 @@ void TestCheckValidation::remarksAreJudgedToo()
     QCOMPARE(faults.size(), 2U);
     QCOMPARE(faults[0].pointer, QStringLiteral("/remarks/0/circles/0"));
     QCOMPARE(faults[1].pointer, QStringLiteral("/remarks/0/scene/kind"));
+}
+
+void TestCheckValidation::idsAreTheirOwn()
+{
+    const QJsonDocument task = QJsonDocument::fromJson(
+        R"({"checks": [{"id": "a", "kind": "bounces"}, {"id": "b", "kind": "bounces"},
+                       {"id": "a", "kind": "bounces"}]})");
+    const auto faults = findCheckFaults(task.object(), 1, {});
+    QCOMPARE(faults.size(), 1U);
+    QCOMPARE(faults[0].pointer, QStringLiteral("/checks/2/id"));
+}
+
+void TestCheckValidation::listsAreOfAHundredAtMost()
+{
+    const auto faults = [](int count) {
+        const QByteArray list = QByteArray("0.5, ").repeated(count - 1) + "1";
+        return faultsOf(R"({"kind": "start", "scene": {"kind": "drop", "restitutions": [)" + list
+                        + "]}}");
+    };
+    QCOMPARE(faults(100), QStringList());
+    QCOMPARE(faults(101).size(), 1);
 }
 
 void TestCheckValidation::everyBoundHolds_data()
