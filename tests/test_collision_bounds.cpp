@@ -98,6 +98,13 @@ void TestCollisionBounds::boundsAreKept_data()
     row("a step after the start", parting(kilogram), {leave(2, {2, 0}, {})}, "moving apart");
     row("again as they part again", parting(kilogram), {leave(1, {2, 0}, {}), leave(6, {0, 1}, {})},
         "moving apart");
+    // From rest nothing has to be kept but rest.
+    spec = check("conserves", {0, 1}, {{QStringLiteral("energy"), true}});
+    const auto resting = two({.position = {-0.15, 0}}, {.position = {0.15, 0}});
+    row("apart from rest, with energy", resting, {leave(1, {-1, 0}, {1, 0})}, "energy");
+    spec = check("conserves", {0, 1});
+    row("apart from rest", resting, {leave(1, {-1, 0}, {1, 0})});
+    row("the same way from rest", resting, {leave(1, {1, 0}, {1, 0})}, "momentum");
     // A quarter of 1 + 1 m/s.
     spec = check("rebounds", {0, 1}, {{tolerance, 0.25}});
     row("half as fast", comes(-0.45), {leave(1, {0.25, 0}, {0.75, 0})});
