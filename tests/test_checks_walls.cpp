@@ -259,8 +259,9 @@ void TestChecksWalls::whoAnswerEachOtherEarlyMetNoWall()
         const Observation o = observed(scene({one, two}, {}, 1.0), 1.0, [&](Circles &c, double h) {
             for (std::size_t i = 0; i < 2; ++i) {
                 c[i].position += h * c[i].velocity;
-                if (i < turned && std::abs(c[i].position.x) < 0.45)
-                    c[i].velocity = {c[i].position.x, 0.0};
+                if (i < turned && std::abs(c[i].position.x) < 0.45
+                    && c[i].position.x * c[i].velocity.x < 0.0)
+                    c[i].velocity.x *= -1.0;
             }
         });
         CheckSpec close = check(
