@@ -275,4 +275,48 @@ function on_update(h)
 end
 )lua";
 
+/// Step 16 with one function for the new velocity of either circle.
+inline constexpr char called[] = R"lua(function on_load()
+  gravity = vec(0, 0)
+  restitution = 0.5
+  circle1.position, circle1.velocity = vec(-2.5, 2), vec(1, 0)
+  circle2.position, circle2.velocity = vec(0, 2), vec(-1, 0)
+  circle1.radius, circle2.radius = 0.2, 0.2
+  circle1.density, circle2.density = 1, 2
+  for _, c in ipairs(circles) do
+    c.mass = 1000 * c.density * 4 / 3 * math.pi * c.radius ^ 3
+  end
+end
+local function after(m, u, w, k)
+  return (m * u + w * k + restitution * w * (k - u)) / (m + w)
+end
+local function move(c, h)
+  local old = c.position
+  c.velocity = c.velocity + gravity * h
+  c.position = c.position + c.velocity * h
+  local lim, p, v = square.half_width - c.radius, c.position, c.velocity
+  if math.abs(p.x) > lim and p.x * v.x > 0 then v, c.position = vec(-v.x, v.y), old end
+  if math.abs(p.y) > lim and p.y * v.y > 0 then v, c.position = vec(v.x, -v.y), old end
+  c.velocity = v
+end
+function on_update(h)
+  local p1, p2 = circle1.position, circle2.position
+  move(circle1, h)
+  move(circle2, h)
+  local d = circle2.position - circle1.position
+  if d:length() < circle1.radius + circle2.radius then
+    local n = (p2 - p1):normalized()
+    local u1 = dot(circle1.velocity, n)
+    local u2 = dot(circle2.velocity, n)
+    if u1 > u2 then
+      local v1 = after(circle1.mass, u1, circle2.mass, u2)
+      local v2 = after(circle2.mass, u2, circle1.mass, u1)
+      circle1.velocity = circle1.velocity + (v1 - u1) * n
+      circle2.velocity = circle2.velocity + (v2 - u2) * n
+      circle1.position, circle2.position = p1, p2
+    end
+  end
+end
+)lua";
+
 } // namespace cradle::programs

@@ -36,6 +36,13 @@ void TestAppliedLine::findingMarksTheLine_data()
     rowOfStep("what a named function gives", "L42T5", walls, kick,
               "  local function pull(c, k) return gravity * k + 0.1 * k * c.velocity end\n"
               "  circle1.velocity = circle1.velocity + pull(circle1, h)");
+    const QString shared = QString::fromLatin1(called);
+    rowOfStep("what a function gives both circles", "L42T16", shared,
+              "m * u + w * k + restitution * w * (k - u)",
+              "restitution * (m * u + w * k + w * (k - u))");
+    rowOfStep("what it is given for one of them", "L42T16", shared,
+              "after(circle2.mass, u2, circle1.mass, u1)",
+              "after(circle2.mass, u2, circle2.mass, u1)");
     const QString flight =
         QStringLiteral("function on_load()\n  circle1.velocity = vec(2, 0)\nend\n"
                        "function on_update(h)\n  circle1.position = "

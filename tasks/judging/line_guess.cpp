@@ -124,25 +124,9 @@ PushedLine pushLine(const LastAssignment &assignment, int acting, const std::vec
     return added > 0 ? PushedLine{added, true} : PushedLine{};
 }
 
-} // namespace
-
-int hidingLine(const QString &program, Assignment::Field field)
-{
-    static const QRegularExpression gravity(QStringLiteral("^\\s*local\\s+gravity\\s*="));
-    static const QRegularExpression restitution(QStringLiteral("^\\s*local\\s+restitution\\s*="));
-    const bool isGravity = field == Assignment::Field::Gravity;
-    if (!isGravity && field != Assignment::Field::Restitution)
-        return 0;
-    const QStringList rows = rowsOf(program);
-    for (int line = 1; line <= rows.size(); ++line) {
-        if (rows[line - 1].contains(isGravity ? gravity : restitution))
-            return line;
-    }
-    return 0;
-}
-
-int guessedLine(const QString &program, const LawDeviation &deviation, const RanLines &ran,
-                const LastAssignment &assignment)
+/// The same as guessedLine(), of what stands in one function.
+int actedLine(const QString &program, const LawDeviation &deviation, const RanLines &ran,
+              const LastAssignment &assignment)
 {
     const int last = assignment.line;
     const QStringList rows = rowsOf(program);
@@ -243,6 +227,39 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
             return formula == 0 ? acting : formula;
         std::erase(special, formula);
     }
+}
+
+} // namespace
+
+int hidingLine(const QString &program, Assignment::Field field)
+{
+    static const QRegularExpression gravity(QStringLiteral("^\\s*local\\s+gravity\\s*="));
+    static const QRegularExpression restitution(QStringLiteral("^\\s*local\\s+restitution\\s*="));
+    const bool isGravity = field == Assignment::Field::Gravity;
+    if (!isGravity && field != Assignment::Field::Restitution)
+        return 0;
+    const QStringList rows = rowsOf(program);
+    for (int line = 1; line <= rows.size(); ++line) {
+        if (rows[line - 1].contains(isGravity ? gravity : restitution))
+            return line;
+    }
+    return 0;
+}
+
+int guessedLine(const QString &program, const LawDeviation &deviation, const RanLines &ran,
+                const LastAssignment &assignment)
+{
+    const int line = actedLine(program, deviation, ran, assignment);
+    const bool isFormula =
+        deviation.suspect == Suspect::Answer || deviation.suspect == Suspect::Formula;
+    if (deviation.aspect != Aspect::Response || !isFormula || line <= 0)
+        return line;
+    // What is wrong with one circle alone is not in what both call.
+    const ProgramLines lines(program);
+    const int called = PushOrigin(lines, ran).ofCalled(line);
+    return called != 0 && assignment.hit().wrongCircles().size() == 2 && !assignment.isSound(called)
+               ? called
+               : line;
 }
 
 } // namespace cradle

@@ -167,25 +167,58 @@ int PushOrigin::ofShared(int line, bool isSizeWrong) const
     if (!push)
         return 0;
     // What a function works out of its arguments has its size of it, and its direction of them.
-    const bool isCalled =
-        m_program.is(push->from + 1, "(") && m_program.afterGroup(push->from + 1) == push->to;
-    const QString called = isCalled ? m_program.tokens()[push->from].text : QString();
+    const int returned = isSizeWrong ? returnOf(functionCalled(push->from, push->to)) : 0;
+    return returned != 0 ? returned : push->line;
+}
+
+int PushOrigin::ofCalled(int line) const
+{
+    int best = 0;
+    int most = 0;
+    for (const ProgramAssignment &each : m_assignments) {
+        if (each.line != line)
+            continue;
+        most = std::max(most, workOf(each));
+        for (const QString &name : valuesIn(m_program, each.from, each.to)) {
+            const ProgramAssignment *value = assignmentOf(name, line);
+            const int returned = value ? returnOf(functionCalled(value->from, value->to)) : 0;
+            if (returned == 0 || !m_ran.now.contains(returned))
+                continue;
+            const auto &tokens = m_program.tokensOf(returned);
+            const int work = workIn(tokens.front(), tokens.back() + 1);
+            if (work > most) {
+                most = work;
+                best = returned;
+            }
+        }
+    }
+    return best;
+}
+
+const ProgramFunction *PushOrigin::functionCalled(std::size_t from, std::size_t to) const
+{
+    if (from + 1 >= to || !m_program.is(from + 1, "(") || m_program.afterGroup(from + 1) != to)
+        return nullptr;
     const auto function =
-        std::find_if(m_functions.begin(), m_functions.end(),
-                     [&](const ProgramFunction &each) { return each.name == called; });
-    if (!isSizeWrong || called.isEmpty() || function == m_functions.end())
-        return push->line;
+        std::find_if(m_functions.begin(), m_functions.end(), [&](const ProgramFunction &each) {
+            return !each.name.isEmpty() && each.name == m_program.tokens()[from].text;
+        });
+    return function == m_functions.end() ? nullptr : &*function;
+}
+
+int PushOrigin::returnOf(const ProgramFunction *function) const
+{
     int found = 0;
-    for (int at = function->first; at <= function->last; ++at) {
+    for (int at = function ? function->first : 1; function && at <= function->last; ++at) {
         const auto &tokens = m_program.tokensOf(at);
         if (std::none_of(tokens.begin(), tokens.end(),
                          [&](std::size_t i) { return m_program.is(i, "return"); }))
             continue;
         if (found != 0)
-            return push->line;
+            return 0;
         found = at;
     }
-    return found != 0 ? found : push->line;
+    return found;
 }
 
 bool PushOrigin::isInverse(const ProgramAssignment *each) const

@@ -25,6 +25,10 @@ public:
     /// that is worked out, or what it is worked out by; 0 if it is none such.
     [[nodiscard]] int ofShared(int line, bool isSizeWrong) const;
 
+    /// Of a line that takes values which functions work out, each alone: where the one with most
+    /// work is returned; 0 if there is none, or the line works out more itself.
+    [[nodiscard]] int ofCalled(int line) const;
+
 private:
     /// What a line adds to a velocity, or puts in its place.
     struct Taken {
@@ -41,6 +45,10 @@ private:
     }
     /// Of the names' values, worked out above a line, the one with most work.
     [[nodiscard]] const ProgramAssignment *mostWorked(const QStringList &names, int above) const;
+    /// The function of the program of which tokens \p from to \p to without \p to are one call.
+    [[nodiscard]] const ProgramFunction *functionCalled(std::size_t from, std::size_t to) const;
+    /// Its only line that returns something; 0 if it has none, or several, or there is no function.
+    [[nodiscard]] int returnOf(const ProgramFunction *function) const;
     /// 1 / mass; of null it is none.
     [[nodiscard]] bool isInverse(const ProgramAssignment *each) const;
     /// The line of a push or, if it takes one mass for both circles, of that.
