@@ -50,6 +50,19 @@ void TestRepairPairs::mistakeInTheSecondLineIsUndone_data()
     row("turned round, the first", "", "local x, y = u - w, v", "local x, y = -(u - w), v");
     row("turned round, the second", "", "local x, y = u, v - w", "local x, y = u, -(v - w)");
     row("indices exchanged", "", "x = k + u[2] - u[1]", "x = k + u[1] - u[2]");
+    row("masses exchanged", "local a, b = 1, 2", "x = a.v * b.m + b.v * a.m",
+        "x = a.v * a.m + b.v * b.m");
+    row("said of one alone", "local a, b = 1, 2", "x = a.v * a.m + a.v * 2", "x = a.v * b.m",
+        false);
+    row("in two lines", "", "c1.f = u * 3\nc2.f = v / 5", "c2.f = u * 3\nc1.f = v / 5");
+    row("in two lines, of both", "", "c1.f = u * c2.m\nc2.f = v / 5",
+        "c2.f = u * c1.m\nc1.f = v / 5", false);
+    row("called an inverse", "", "c.inv_m = m + 3", "c.inv_m = 1 / (m + 3)");
+    row("returned by what is called so", "local function invMass(m)", "return m + 3 end",
+        "return 1 / (m + 3) end");
+    row("returned by another", "local function mass(m)", "return m + 3 end",
+        "return 1 / (m + 3) end", false);
+    row("not called one", "", "c.mass = m + 3", "c.mass = 1 / (m + 3)", false);
     // What follows from two.
     row("what two share", "", "x = m1 * m2", "x = m1 * m2 / (m1 + m2)");
     row("of no two", "", "x = m1 * va", "x = m1 * va / (m1 + va)", false);

@@ -5,6 +5,8 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
+
 namespace cradle {
 
 namespace {
@@ -152,6 +154,69 @@ void exchangePartners(RepairList &repairs, int line)
     }
 }
 
+/// a.mass for b.mass and b.mass for a.mass, where what else the line takes of the two stays.
+void exchangeFields(RepairList &repairs, int line)
+{
+    const ProgramLines &program = repairs.program();
+    QStringList done;
+    for (const std::size_t i : program.tokensOf(line)) {
+        const QString owner = repairs.tokens()[i].text;
+        const QString partner = repairs.is(i + 1, ".") ? repairs.partnerOf(owner) : QString();
+        if (partner.isEmpty())
+            continue;
+        const QString field = repairs.tokens()[i + 2].text;
+        if (done.contains(field))
+            continue;
+        done << field;
+        QString row = program.row(line);
+        bool isOfBoth = false;
+        std::vector<std::size_t> tokens = program.tokensOf(line);
+        std::reverse(tokens.begin(), tokens.end());
+        for (const std::size_t k : tokens) {
+            const ProgramToken &token = repairs.tokens()[k];
+            if ((token.text != owner && token.text != partner) || !repairs.is(k + 1, ".")
+                || repairs.tokens()[k + 2].text != field)
+                continue;
+            isOfBoth = isOfBoth || token.text == partner;
+            row.replace(token.start - program.startOf(line), token.text.size(),
+                        token.text == owner ? partner : owner);
+        }
+        if (isOfBoth)
+            repairs.replace(line, program.startOf(line),
+                            program.startOf(line) + program.row(line).size(), row);
+    }
+}
+
+/// What one line says of the first circle and the next of the second, said the other way round.
+void exchangeWithNext(RepairList &repairs, int line)
+{
+    const ProgramLines &program = repairs.program();
+    if (line >= program.count())
+        return;
+    const QString row = program.row(line);
+    const QString next = program.row(line + 1);
+    QStringList done;
+    for (const std::size_t i : program.tokensOf(line)) {
+        const ProgramToken &token = repairs.tokens()[i];
+        if (token.kind != ProgramToken::Kind::Name || done.contains(token.text))
+            continue;
+        done << token.text;
+        const QString partner = repairs.partnerOf(token.text);
+        const auto names = [](const QString &text, const QString &name) {
+            return withName(text, name, {}) != text;
+        };
+        if (partner.isEmpty() || names(row, partner) || names(next, token.text)
+            || !names(next, partner))
+            continue;
+        // Of two that say the same of each only the order changes.
+        const QString other = withName(row, token.text, partner);
+        if (other == next)
+            continue;
+        repairs.replace(line, program.startOf(line), program.startOf(line + 1) + next.size(),
+                        other + QLatin1Char('\n') + withName(next, partner, token.text));
+    }
+}
+
 /// u[1] for u[2] and u[2] for u[1] in what the line gives.
 void exchangeIndices(RepairList &repairs, int line)
 {
@@ -215,6 +280,8 @@ void repairExchanges(RepairList &repairs, std::size_t i)
 void repairOrder(RepairList &repairs, int line)
 {
     exchangePartners(repairs, line);
+    exchangeFields(repairs, line);
+    exchangeWithNext(repairs, line);
     exchangeIndices(repairs, line);
     assignAtOnce(repairs, line);
     goOn(repairs, line);

@@ -151,6 +151,14 @@ void repairScales(RepairList &repairs, std::size_t i)
     const QString right = repairs.program().source().mid(from, end - from);
     if (!returns && right.contains(QLatin1Char('+')))
         repairs.replace(repairs.tokens()[i].line, from, end, QStringLiteral("(%1) / 2").arg(right));
+    // What is called so is one.
+    const int line = repairs.tokens()[i].line;
+    const ProgramFunction *function = functionAt(repairs.functions(), line);
+    const QString name = !returns   ? repairs.tokens()[i - (i > 0 ? 1 : 0)].text
+                         : function ? function->name
+                                    : QString();
+    if (name.contains(QLatin1String("inv"), Qt::CaseInsensitive))
+        repairs.replaceTelling(line, from, end, QStringLiteral("1 / (%1)").arg(right));
     if (right.contains(QLatin1Char('*')) || (!returns && right.contains(QLatin1Char('/'))))
         repairs.replace(
             repairs.tokens()[i].line, from, end,
