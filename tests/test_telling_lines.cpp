@@ -79,6 +79,14 @@ void TestTellingLines::lineIsTold_data()
         "local function maker(c)\n  return function()\n    return c.radius\n  end\nend\n"
         "local size = maker(b)\nlocal far = b.radius\nfunction on_load()\n  b.radius = 0.4\nend",
         7);
+    row("of radii in a list, too early", Suspect::Copy,
+        "function on_load()\n  k = 1\n  r[i] = circles[i].radius\n  circle2.radius = 0.4\nend", 3);
+    row("of radii in a list, in time", Suspect::Copy,
+        "function on_load()\n  circle2.radius = 0.4\n  r[i] = circles[i].radius\nend", 0);
+    row("of places in a list, too early", Suspect::Begun,
+        "function on_load()\n  x[i], y[i] = c.position.x, c.position.y\n"
+        "  circles[i].position = vec(1, 2)\nend",
+        2);
     row("in every step", Suspect::Copy,
         "function on_update()\n  far = a.radius\nend\nfunction on_load()\n  a.radius = 1\nend", 0);
     row("more than a copy", Suspect::Copy, "g = gravity.y * 2\nh = gravitation", 0);

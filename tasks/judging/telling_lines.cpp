@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/telling_lines.h"
 
+#include "tasks/judging/early_line.h"
 #include "tasks/judging/lone_lines.h"
 #include "tasks/judging/program_functions.h"
 #include "tasks/judging/program_rows.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
 namespace cradle {
 
@@ -79,61 +79,6 @@ int copyLine(const QStringList &rows)
     for (int line = 1; line <= rows.size(); ++line) {
         if (rows[line - 1].contains(copy))
             return line;
-    }
-    return 0;
-}
-
-/// The first line that works something out of a value of the scene before that is set, at the top
-/// of the file or in on_load: it keeps what was there before. 0 if there is none.
-int earlyLine(const ProgramLines &program, const QStringList &fields)
-{
-    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
-    const std::vector<ProgramFunction> functions = functionsOf(program);
-    // The top of the file runs before on_load, wherever that stands.
-    const auto runsBefore = [&](int line, int other) {
-        const bool isTop = !functionAt(functions, line);
-        const bool isOtherTop = !functionAt(functions, other);
-        return isTop == isOtherTop ? line < other : isTop;
-    };
-    const auto takes = [&](int line, const QString &field) {
-        return program.row(line).contains(
-            QRegularExpression(QStringLiteral("\\b%1\\b").arg(field)));
-    };
-    /// Also of what a function that it calls takes.
-    const auto isOf = [&](const ProgramAssignment &value, const QString &field) {
-        std::vector<std::size_t> tokens(value.to - value.from);
-        std::iota(tokens.begin(), tokens.end(), value.from);
-        // A table is no expression: its first line is looked at.
-        if (tokens.empty())
-            tokens = program.tokensOf(value.line);
-        for (const std::size_t i : tokens) {
-            if (program.tokens()[i].text == field)
-                return true;
-            const auto called =
-                std::find_if(functions.begin(), functions.end(), [&](const ProgramFunction &each) {
-                    return each.name == program.tokens()[i].text;
-                });
-            for (int line = called == functions.end() ? 1 : called->first;
-                 called != functions.end() && line <= called->last; ++line) {
-                // What a function that it only makes takes is read when that runs.
-                if (takes(line, field) && functionAt(functions, line) == &*called)
-                    return true;
-            }
-        }
-        return false;
-    };
-    for (const ProgramAssignment &value : assignments) {
-        if (!isOfStart(functions, value.line) || fields.contains(value.name))
-            continue;
-        const auto isSetLater = [&](const QString &field) {
-            return isOf(value, field)
-                   && std::any_of(assignments.begin(), assignments.end(), [&](const auto &each) {
-                          return each.name == field && isOfStart(functions, each.line)
-                                 && runsBefore(value.line, each.line);
-                      });
-        };
-        if (std::any_of(fields.begin(), fields.end(), isSetLater))
-            return value.line;
     }
     return 0;
 }
