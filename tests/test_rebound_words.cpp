@@ -128,6 +128,11 @@ void TestReboundWords::lawOfEIsTold_data()
     row("Numbers stand for e in the hit of two circles", {number(1.01), number(0.4)}, "", true);
     row("After a hit the circles part faster than they met", both(number(1.03)), "", true);
     row("After a hit the circles still run into each other", both(number(-0.03)), "", true);
+    row("After a hit the circles still run into each other", both(number(-0.998)),
+        "The hit changed the velocity of circle 1 by no more than 0.0015 m/s and that of circle 2 "
+        "by "
+        "0.0015 m/s",
+        true);
     // With e = 1 nobody changes, and with no other e they part.
     row("After a hit the circles still run into each other",
         both([](double e) { return e == 1.0 ? -1.0 : e - 1.0; }), "With e = 0.8: ", true);

@@ -5930,6 +5930,10 @@ In a step that would have brought their centres to %2 m from each other, where r
         <source>Circle %1 came with %2 m/s and has %3 m/s after the step that brought it into the corner, with its rim %4 m beyond the %5. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
         <translation>جاءت الدائرة ⁨%1⁩ بسرعة ⁦%2 m/s⁩، وسرعتها ⁦%3 m/s⁩ بعد الخطوة التي أوصلتها إلى الزاوية، وحافتها على بعد ⁦%4 m⁩ وراء ⁨%5⁩. يُصدم الجداران في الخطوة نفسها، وعلى كل منهما أن يعكس مركّبته، أيهما جاء أولًا.</translation>
     </message>
+    <message>
+        <source>The hit changed the velocity of circle 1 by no more than %1 m/s and that of circle 2 by %2 m/s: look at what the push is multiplied by, and what it is divided by.</source>
+        <translation>لم يغيّر التصادم سرعة الدائرة 1 بأكثر من ⁦%1 m/s⁩ وسرعة الدائرة 2 بأكثر من ⁦%2 m/s⁩: انظر بماذا تُضرب الدفعة وعلى ماذا تُقسم.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

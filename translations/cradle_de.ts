@@ -5846,6 +5846,10 @@ In einem Schritt, der ihre Mittelpunkte auf %2 m Abstand gebracht hätte, wo sic
         <source>Circle %1 came with %2 m/s and has %3 m/s after the step that brought it into the corner, with its rim %4 m beyond the %5. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
         <translation>Kreis %1 kam mit %2 m/s und hat %3 m/s nach dem Schritt, der ihn in die Ecke brachte, mit dem Rand %4 m hinter %5. Beide Wände werden im selben Schritt getroffen, und jede muss ihren eigenen Anteil umkehren, gleich welche zuerst kommt.</translation>
     </message>
+    <message>
+        <source>The hit changed the velocity of circle 1 by no more than %1 m/s and that of circle 2 by %2 m/s: look at what the push is multiplied by, and what it is divided by.</source>
+        <translation>Der Stoß hat die Geschwindigkeit von Kreis 1 um nicht mehr als %1 m/s geändert und die von Kreis 2 um %2 m/s: Sieh nach, womit der Kraftstoß multipliziert wird und wodurch er geteilt wird.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

@@ -5846,6 +5846,10 @@ Dans un pas qui aurait amené leurs centres à %2 m l&apos;un de l&apos;autre, a
         <source>Circle %1 came with %2 m/s and has %3 m/s after the step that brought it into the corner, with its rim %4 m beyond the %5. Both walls are hit in the same step, and each must turn its own part, whichever comes first.</source>
         <translation>Le cercle %1 arrivait à %2 m/s et a %3 m/s après le pas qui l&apos;a amené dans le coin, son bord dépassant %5 de %4 m. Les deux parois sont touchées au même pas, et chacune doit retourner sa propre composante, quelle que soit la première.</translation>
     </message>
+    <message>
+        <source>The hit changed the velocity of circle 1 by no more than %1 m/s and that of circle 2 by %2 m/s: look at what the push is multiplied by, and what it is divided by.</source>
+        <translation>Le choc n&apos;a changé la vitesse du cercle 1 que de %1 m/s et celle du cercle 2 que de %2 m/s&#xa0;: regardez par quoi l&apos;impulsion est multipliée et par quoi elle est divisée.</translation>
+    </message>
 </context>
 <context>
     <name>FormulaWords</name>

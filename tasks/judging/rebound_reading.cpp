@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/rebound_reading.h"
 
+#include "tasks/judging/rebound_laws.h"
 #include "tasks/judging/response_reading.h"
 
 #include <algorithm>
@@ -92,6 +93,22 @@ std::optional<PushLine> lineOfPush(const MeasuredPair &own, const std::vector<Re
         }
     }
     return partBy(law, own) ? std::optional(PushLine{without, perE}) : std::nullopt;
+}
+
+QString faintPush(const PairHit &hit)
+{
+    constexpr double faint = 0.01; // of the speed with which they come nearer
+    const PairVelocities in = hit.cameParts();
+    const auto isFaint = [&](Vec2 push) {
+        return length(push) > 1e-9 && length(push) < faint * std::abs(in.along1 - in.along2);
+    };
+    return isFaint(hit.push1()) && isFaint(hit.push2())
+               ? ReboundText::tr(
+                     "The hit changed the velocity of circle 1 by no more than %1 m/s and "
+                     "that of circle 2 by %2 m/s: look at what the push is multiplied "
+                     "by, and what it is divided by.")
+                     .arg(brief(length(hit.push1())), brief(length(hit.push2())))
+               : QString();
 }
 
 } // namespace cradle

@@ -48,4 +48,7 @@ struct PushLine {
                                                  const std::vector<Rebound> &all,
                                                  const std::vector<Rebound> &elastic);
 
+/// By how little a push changes what two have, where it is next to nothing; else empty.
+[[nodiscard]] QString faintPush(const PairHit &hit);
+
 } // namespace cradle

@@ -255,7 +255,8 @@ private:
             if (!isNear && std::abs(first) < reboundBlur)
                 return;
             if (isNear || first < -reboundBlur)
-                add(ReboundText::tr("After a hit the circles still run into each other"));
+                add(ReboundText::tr("After a hit the circles still run into each other"),
+                    faintPush(m_own.rebounds[m_shown]));
             else if (first > 1.0 + reboundBlur)
                 add(ReboundText::tr("After a hit the circles part faster than they met"));
             else if (m_own.own && m_own.own->isMet()
