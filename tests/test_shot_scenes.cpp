@@ -77,6 +77,7 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
         const auto variants = makeVariants(two(), floating, seed);
         QCOMPARE(variants.size(), std::size_t{24});
         std::size_t slow = 0;
+        std::set<int> slowWalls;
         for (const Variant &variant : variants) {
             const auto &c = variant.preset.circles;
             const std::size_t shot = shotOf(variant);
@@ -85,13 +86,15 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
             QVERIFY2(variant.name.startsWith(
                          QStringLiteral("circle %1 towards ").arg(shot == 0 ? 1 : 2)),
                      qPrintable(variant.name));
-            // Two of each circle are so slow that a program could take it for rest.
-            if (speed < 0.5)
+            // Four of each circle are so slow that a program could take it for rest.
+            const double direction = directionOf(c[shot].body.velocity);
+            if (speed < 0.5) {
                 ++slow;
-            else
+                slowWalls.insert(static_cast<int>((direction + 405.0) / 90.0) % 4);
+            } else
                 QVERIFY2(speed >= 1.0 - 1e-12 && speed <= 4.0 + 1e-12, qPrintable(variant.name));
             QVERIFY(speed >= 0.15);
-            quadrants.insert(static_cast<int>((directionOf(c[shot].body.velocity) + 180.0) / 90.0));
+            quadrants.insert(static_cast<int>((direction + 180.0) / 90.0));
             const Observation o = observe(variant);
             for (qint64 k = 0; k <= o.steps(); ++k) {
                 const double apart = length(o.circle(1, k).position - o.circle(0, k).position);
@@ -100,7 +103,8 @@ void TestShotScenes::directionsShootEachCircleClearOfTheOther()
                 QVERIFY2(other == c[1 - shot].body.velocity, "what drifts comes to a wall");
             }
         }
-        QCOMPARE(slow, std::size_t{4});
+        QCOMPARE(slow, std::size_t{8});
+        QCOMPARE(slowWalls.size(), std::size_t{4});
     }
     QCOMPARE(quadrants.size(), std::size_t{4});
 }

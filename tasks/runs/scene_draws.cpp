@@ -64,7 +64,10 @@ Preset SceneDraws::stage(int i, std::size_t circles)
 
 bool SceneDraws::doesCreep(int i) const
 {
-    return i == m_spec.count / 2 || i == m_spec.count / 4;
+    constexpr int many = 12;
+    const int count = m_spec.count;
+    return i == count / 2 || i == count / 4 || i == count - 1
+           || (count >= many && i == 3 * count / 4);
 }
 
 void SceneDraws::partRadii(Preset &preset, std::size_t shot, bool isLarge) const

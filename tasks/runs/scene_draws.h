@@ -29,7 +29,8 @@ protected:
     [[nodiscard]] std::size_t needed() const;
     /// The student's laws over an empty stage with \p circles circles.
     [[nodiscard]] Preset stage(int i, std::size_t circles);
-    /// One towards a side wall and one towards the ceiling, so that a few mm show at either.
+    /// One towards each side wall, one towards the ceiling and, of many, one towards the floor, so
+    /// that a few mm show there, and that slow circles are turned at all.
     [[nodiscard]] bool doesCreep(int i) const;
     /// Brings the radius of \p shot to one end of their range and those of the others to the other
     /// end, by more than a step of any shot is long: a wall that takes the wrong one is found out.
