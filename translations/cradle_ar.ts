@@ -3690,6 +3690,14 @@ Until this is right, no more can be said of walls and hits.</source>
         <translation>حين كانت الدائرة ⁨%1⁩ على بعد ⁦%2 m⁩ من ⁨%3⁩ تغيّرت سرعتها، وفي الخطوة نفسها سرعة الأخرى البعيدة عنها وعن كل جدار. الجدار يردّ الدائرة التي تلمسه ولا يردّ غيرها.</translation>
     </message>
     <message>
+        <source>Hits at the %walls leave %who outside</source>
+        <translation>التصادمات عند %walls تترك %who في الخارج</translation>
+    </message>
+    <message>
+        <source>After the hit the rim of circle %1 is %2 m past the %3, and its velocity takes it back by %4 m a step: slower than it came, it is still outside after the next one. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>بعد التصادم تكون حافة الدائرة ⁨%1⁩ أبعد بمقدار ⁦%2 m⁩ خلف ⁨%3⁩، وسرعتها تعيدها ⁦%4 m⁩ في كل خطوة: وهي أبطأ مما جاءت، فتظل في الخارج بعد الخطوة التالية أيضًا. ضعها حيث تكون حافتها عند الجدار، أو أعدها من حيث جاءت.</translation>
+    </message>
+    <message>
         <source>Hits at the %walls put %who too far in</source>
         <translation>التصادمات عند %walls تضع %who أبعد إلى الداخل مما ينبغي</translation>
     </message>

@@ -3666,6 +3666,14 @@ Bevor das stimmt, lässt sich über Wände und Stöße nichts Weiteres sagen.</t
         <translation>Als Kreis %1 noch %2 m von %3 entfernt war, änderte sich seine Geschwindigkeit und im selben Schritt die des anderen, der weit von ihm und von jeder Wand war. Eine Wand lässt den Kreis umkehren, der sie berührt, und keinen anderen.</translation>
     </message>
     <message>
+        <source>Hits at the %walls leave %who outside</source>
+        <translation>Stöße an %walls lassen %who draußen</translation>
+    </message>
+    <message>
+        <source>After the hit the rim of circle %1 is %2 m past the %3, and its velocity takes it back by %4 m a step: slower than it came, it is still outside after the next one. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Nach dem Stoß ist der Rand von Kreis %1 um %2 m jenseits von: %3, und seine Geschwindigkeit bringt ihn um %4 m je Schritt zurück: langsamer, als er kam, ist er auch nach dem nächsten noch draußen. Setze den Kreis dorthin, wo sein Rand an der Wand ist, oder zurück, woher er kam.</translation>
+    </message>
+    <message>
         <source>Hits at the %walls put %who too far in</source>
         <translation>Stöße an %walls setzen %who zu weit nach innen</translation>
     </message>

@@ -3666,6 +3666,14 @@ De ce fait, les murs et les chocs ne peuvent pas encore être jugés.</translati
         <translation>Quand le cercle %1 était à %2 m de ceci&#xa0;: %3, sa vitesse a changé, et dans le même pas celle de l&apos;autre, loin de lui et de toute paroi. Une paroi renvoie le cercle qui la touche, et aucun autre.</translation>
     </message>
     <message>
+        <source>Hits at the %walls leave %who outside</source>
+        <translation>Les chocs contre %walls laissent %who dehors</translation>
+    </message>
+    <message>
+        <source>After the hit the rim of circle %1 is %2 m past the %3, and its velocity takes it back by %4 m a step: slower than it came, it is still outside after the next one. Put it where its rim is at the wall, or back where it came from.</source>
+        <translation>Après le choc, le bord du cercle %1 est à %2 m au-delà de ceci&#xa0;: %3, et sa vitesse le ramène de %4 m par pas&#xa0;: plus lent qu&apos;à l&apos;arrivée, il est encore dehors après le suivant. Placez-le là où son bord touche la paroi, ou là d&apos;où il venait.</translation>
+    </message>
+    <message>
         <source>Hits at the %walls put %who too far in</source>
         <translation>Les chocs contre %walls placent %who trop à l&apos;intérieur</translation>
     </message>

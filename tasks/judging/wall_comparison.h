@@ -111,5 +111,7 @@ protected:
 /// \param isElsewhere  walls turn circles at another place than the rim
 [[nodiscard]] std::vector<LawDeviation> putDeviations(const WallComparison &walls,
                                                       bool isElsewhere);
+/// That hits that take speed leave circles so far beyond a wall that no step brings them back.
+[[nodiscard]] std::vector<LawDeviation> outsideDeviations(const WallComparison &walls);
 
 } // namespace cradle

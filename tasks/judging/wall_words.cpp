@@ -37,6 +37,8 @@ public:
         findNoWayBack();
         if (m_found.empty())
             take(slowAnswerDeviations(*this));
+        if (m_found.empty())
+            take(outsideDeviations(*this));
         return std::move(m_found);
     }
 
