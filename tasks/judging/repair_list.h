@@ -110,6 +110,9 @@ void repairOrder(RepairList &repairs, int line);
 /// What lines say, as others nearby or their own other halves say it of the other circle or
 /// coordinate.
 void repairMirrors(RepairList &repairs, const std::vector<int> &lines);
+/// What the line says in one place, as others nearby that are built alike say it: kick(c, dt)
+/// beside kick(c, dt / 2).
+void repairLikes(RepairList &repairs, int line);
 /// What follows from two that are alike, at token \p i: their product for what they share, the sum
 /// of their squares for the square of their sum, the whole step for a part of it.
 void repairPairs(RepairList &repairs, std::size_t i);

@@ -130,11 +130,22 @@ void exchangeBody(RepairList &repairs, int line)
     }
 }
 
+/// A pair is one and another: for j = i + 1, #circles within for i = 1, #circles.
+void changeLoop(RepairList &repairs, std::size_t i)
+{
+    if (!repairs.is(i, "for") || !repairs.is(i + 2, "=") || !repairs.is(i + 4, ","))
+        return;
+    const ProgramToken &first = repairs.tokens()[i + 3];
+    if (first.kind == ProgramToken::Kind::Name)
+        repairs.replaceTelling(first.line, first.end(), first.end(), QStringLiteral(" + 1"));
+}
+
 } // namespace
 
 void repairStatements(RepairList &repairs, std::size_t i)
 {
     changeCondition(repairs, i);
+    changeLoop(repairs, i);
     changeRightSide(repairs, i);
 }
 

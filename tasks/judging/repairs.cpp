@@ -146,6 +146,8 @@ std::vector<Repair> repairsOf(const QString &source, const QString &reference,
     const ProgramLines program(source);
     RepairList repairs(program, source.contains(eWord) || reference.contains(eWord), most);
     repairMirrors(repairs, lines);
+    for (const int line : lines)
+        repairLikes(repairs, line);
     for (const int line : lines) {
         for (const std::size_t i : program.tokensOf(line)) {
             repairWords(repairs, i);
