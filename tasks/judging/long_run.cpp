@@ -12,6 +12,9 @@ namespace {
 constexpr int stepsAtOnce = 6;
 /// What circles do in such a step at most, m.
 constexpr double farInAStep = 0.3;
+/// By how much their velocity changes in it at most, m/s, and how often what gravity gives.
+constexpr double muchInAStep = 1.0;
+constexpr double fallsInAStep = 3.0;
 
 /// The longest timestep of the checks.
 double longestStep(const Ground &ground)
@@ -54,11 +57,13 @@ void LongRun::wait(double seconds)
         const std::vector<Circle> before = m_probe.world().circles;
         if (!m_probe.step(m_step) || k > 0)
             continue;
-        // Who keeps the places to himself does not see that they were set.
-        for (std::size_t i = 0; i < before.size(); ++i)
-            m_isFollowed =
-                m_isFollowed
-                && length(m_probe.world().circles[i].position - before[i].position) < farInAStep;
+        // Who keeps places or velocities to himself does not see that they were set.
+        const double much = muchInAStep + fallsInAStep * length(m_probe.start().gravity) * m_step;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const Circle &now = m_probe.circle(static_cast<int>(i));
+            m_isFollowed = m_isFollowed && length(now.position - before[i].position) < farInAStep
+                           && length(now.velocity - before[i].velocity) < much;
+        }
     }
 }
 
