@@ -40,6 +40,12 @@ LongRun::LongRun(const QString *program, const Ground &ground, const Preset &sce
 
 void LongRun::set(const Preset &scene)
 {
+    m_wasSet = true;
+    place(scene);
+}
+
+void LongRun::place(const Preset &scene)
+{
     World world = m_probe.world();
     for (std::size_t i = 0; i < world.circles.size() && i < scene.circles.size(); ++i) {
         world.circles[i].position = scene.circles[i].body.position;
@@ -53,16 +59,17 @@ void LongRun::wait(double seconds)
     const double end = time() + seconds;
     for (int k = 0; time() < end && runs(); ++k) {
         if (k % stepsAtOnce == 0)
-            set(m_idle);
+            place(m_idle);
         const std::vector<Circle> before = m_probe.world().circles;
         if (!m_probe.step(m_step) || k > 0)
             continue;
-        // Who keeps places or velocities to himself does not see that they were set.
-        const double much = muchInAStep + fallsInAStep * length(m_probe.start().gravity) * m_step;
+        // Who keeps places or velocities to himself does not see that they were set; where nothing
+        // was hit before, no answer to that comes late.
+        const double most = muchInAStep + fallsInAStep * length(m_probe.start().gravity) * m_step;
         for (std::size_t i = 0; i < before.size(); ++i) {
             const Circle &now = m_probe.circle(static_cast<int>(i));
             m_isFollowed = m_isFollowed && length(now.position - before[i].position) < farInAStep
-                           && length(now.velocity - before[i].velocity) < much;
+                           && (m_wasSet || length(now.velocity - before[i].velocity) < most);
         }
     }
 }

@@ -27,10 +27,13 @@ public:
     void wait(double seconds);
 
 private:
+    void place(const Preset &scene);
+
     Preset m_idle; ///< how they fly meanwhile
     double m_step; ///< then, s
     Probe m_probe;
     bool m_isFollowed = true;
+    bool m_wasSet = false; ///< by others than the waits
 };
 
 } // namespace cradle

@@ -57,9 +57,9 @@ private:
     /// Whether it loses speed, so that a step like that in which it came does not bring it back.
     static bool isLeftOutside(const WallHit &hit)
     {
-        constexpr double rounding = 1e-6; // m
+        constexpr double little = 0.02; // of the way that took it there: no more than a gap
         return hit.turned && !hit.isLeap() && hit.restitution < 1.0
-               && depthOf(hit) > wayBackOf(hit) + rounding;
+               && depthOf(hit) > wayBackOf(hit) + little * std::abs(hit.travel);
     }
 };
 
