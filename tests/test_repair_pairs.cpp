@@ -57,6 +57,13 @@ void TestRepairPairs::mistakeInTheSecondLineIsUndone_data()
     row("in two lines", "", "c1.f = u * 3\nc2.f = v / 5", "c2.f = u * 3\nc1.f = v / 5");
     row("in two lines, of both", "", "c1.f = u * c2.m\nc2.f = v / 5",
         "c2.f = u * c1.m\nc1.f = v / 5", false);
+    // What a line built alike has in that place.
+    row("half of a step", "kick(b, dt / 2)", "kick(a, dt)", "kick(a, dt / 2)");
+    row("a whole step", "local k4 = f(y + k3 * h)", "local k3 = f(y + k2 * (h / 2))",
+        "local k3 = f(y + k2 * h)");
+    row("built otherwise", "push(b, n, dt / 2, 3)", "kick(a, dt)", "kick(a, n, dt / 2, 3)", false);
+    row("of pairs", "for i = 1, #circles do", "for j = i, #circles do",
+        "for j = i + 1, #circles do");
     row("called an inverse", "", "c.inv_m = m + 3", "c.inv_m = 1 / (m + 3)");
     row("returned by what is called so", "local function invMass(m)", "return m + 3 end",
         "return 1 / (m + 3) end");
