@@ -51,7 +51,6 @@ void TestWallsOutside::whoLosesAllSpeedIsLeftOutside()
     QVERIFY2(one.message.startsWith(
                  QLatin1String("Hits at the left wall and right wall leave both circles outside")),
              qPrintable(one.message));
-    QVERIFY(one.moment.isPosition);
     const Preset &scene = one.moment.stage.preset;
     const Circle &start = scene.circles[0].body;
     const double room = scene.halfWidth - start.radius;

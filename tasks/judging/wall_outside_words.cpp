@@ -41,7 +41,7 @@ public:
                           "is at the wall, or back where it came from.")
                           .arg(QString::number(hit.circle + 1), brief(depthOf(hit)),
                                motion::wallName(hit.wall), brief(wayBackOf(hit))),
-                hit, each, Suspect::Answer, true));
+                hit, each, Suspect::Answer));
         }
         return found;
     }
