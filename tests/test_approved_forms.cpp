@@ -9,8 +9,9 @@
 
 using namespace cradle;
 
-/// What is read and tried in lines of all forms: hashes of the changes of such lines, and of all
-/// that is read in the small programs of tests/approved/forms.lua, in tests/approved/forms.txt.
+/// What is read and tried in lines of all forms: hashes of the changes of such lines, whole and in
+/// pieces, and of all that is read in the small programs of tests/approved/forms.lua, in
+/// tests/approved/forms.txt.
 class TestApprovedForms : public QObject
 {
     Q_OBJECT
@@ -141,6 +142,45 @@ QString changesOf(const QString &name, Lines lines)
     return QStringLiteral("%1: %2 changes %3\n").arg(name).arg(count).arg(print.text());
 }
 
+/// What begins and ends anywhere: as it is while somebody types.
+constexpr const char *pieces[] = {
+    "local x, y = -a.position.x * h ^ 2, b.velocity.y / (m1 + m2) - 9.81",
+    "if not u and a.radius + b.radius > d:length() or w <= 3.9 then return end",
+    "for i = 1, #circles do f(circles[i], i, k - 1) end",
+    "x = math.abs(d.x) + math.max(u, w * z) - math.atan(u / w)",
+    "p = vec(a.radius, square.top)",
+    "v = vec(-v.x, 0)",
+    "v = vec(0, v.y)",
+    "return 2 * restitution * circles[1].velocity:dot(n:normalized())",
+    "x = (d):normalized() * u:length() / f(u)(w)",
+    "r = r1 ^ 2 + r2 ^ 2",
+    "inv = 4 / 3 * math.pi * a.radius ^ 3 * a.density",
+    "a.velocity, b.velocity = (u + w) / 2, {u, -w, y = 1 / 60}",
+    "while u < w and w < z do u = u - 1 break end",
+    "self.ball:move(- u, w == z, 'text' .. x)",
+    "x = u[1] - u[2] + m1 * m2 ; y = x",
+    "local s = h",
+};
+
+/// All that is tried in a line that begins or ends at any of its words.
+QString piecesTold(const QString &line)
+{
+    approved::TextPrint print;
+    std::size_t count = 0;
+    const ProgramLines whole(line);
+    const auto add = [&](const QString &piece) {
+        const std::vector<Repair> repairs =
+            repairsOf(piece, QStringLiteral("x = restitution"), {1}, 100'000);
+        count += repairs.size();
+        print << repairs << approved::statements(ProgramLines(piece));
+    };
+    for (const ProgramToken &token : whole.tokens()) {
+        add(line.mid(token.start));
+        add(line.left(token.end()));
+    }
+    return QStringLiteral("pieces of %1: %2 changes %3\n").arg(line).arg(count).arg(print.text());
+}
+
 QString programTold(const QString &source)
 {
     const ProgramLines program(source);
@@ -179,6 +219,8 @@ void TestApprovedForms::everyFormIsAsApproved()
                 add(filled(shape, i));
         });
     }
+    for (const char *line : pieces)
+        all += piecesTold(QString::fromLatin1(line));
     for (const QString &each : approved::read(QStringLiteral("forms.lua"))
                                    .split(QStringLiteral("--== "), Qt::SkipEmptyParts)) {
         const qsizetype end = each.indexOf(QLatin1Char('\n'));

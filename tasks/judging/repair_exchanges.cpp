@@ -37,7 +37,7 @@ void exchangeObject(RepairList &repairs, std::size_t i)
         || !(repairs.is(after - 3, "normalized") || repairs.is(after - 3, "length")))
         return;
     const ProgramToken &first = repairs.tokens()[i];
-    if (i > 0 && (repairs.is(i - 1, ".") || repairs.is(i - 1, ":")))
+    if (repairs.is(i - 1, ".") || repairs.is(i - 1, ":"))
         return;
     for (const QString &name : localsBefore(program, first.line))
         repairs.replace(first.line, first.start, repairs.tokens()[after - 5].end(), name);
@@ -108,7 +108,7 @@ void makeRelative(RepairList &repairs, std::size_t i)
     const std::vector<ProgramToken> &tokens = repairs.tokens();
     if (tokens[i].kind != ProgramToken::Kind::Name || !repairs.is(i + 1, ".")
         || !(repairs.is(i + 2, "velocity") || repairs.is(i + 2, "position"))
-        || repairs.is(i + 3, "=") || (i > 0 && repairs.is(i - 1, ".")))
+        || repairs.is(i + 3, "=") || repairs.is(i - 1, "."))
         return;
     const std::size_t after = repairs.program().afterOperand(i);
     const QString rest = repairs.program().source().mid(

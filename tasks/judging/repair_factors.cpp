@@ -8,8 +8,7 @@ namespace {
 
 bool isSum(const RepairList &repairs, std::size_t i)
 {
-    return repairs.is(i, "+")
-           || (repairs.is(i, "-") && i > 0 && repairs.tokens()[i - 1].endsOperand());
+    return repairs.is(i, "+") || (repairs.is(i, "-") && repairs.endsOperand(i - 1));
 }
 
 bool isProduct(const RepairList &repairs, std::size_t i)
@@ -20,9 +19,8 @@ bool isProduct(const RepairList &repairs, std::size_t i)
 /// Whether a sum may begin at \p i.
 bool beginsSum(const RepairList &repairs, std::size_t i)
 {
-    return i > 0
-           && (repairs.is(i - 1, "=") || repairs.is(i - 1, "(") || repairs.is(i - 1, ",")
-               || repairs.is(i - 1, "return") || repairs.is(i - 1, "<") || repairs.is(i - 1, ">"));
+    return repairs.is(i - 1, "=") || repairs.is(i - 1, "(") || repairs.is(i - 1, ",")
+           || repairs.is(i - 1, "return") || repairs.is(i - 1, "<") || repairs.is(i - 1, ">");
 }
 
 /// The token after the product that begins at \p i, in the same line.
@@ -78,7 +76,7 @@ void dropFactors(RepairList &repairs, std::size_t i)
 /// A + B / c where (A + B) / c is meant; (A + B) / 2 for masses that act together.
 void gatherSum(RepairList &repairs, std::size_t i)
 {
-    if (!beginsSum(repairs, i) && !isSum(repairs, i - (i > 0)))
+    if (!beginsSum(repairs, i) && !isSum(repairs, i - 1))
         return;
     const std::vector<ProgramToken> &tokens = repairs.tokens();
     const std::size_t sign = afterProduct(repairs, i);
@@ -174,7 +172,7 @@ void countOther(RepairList &repairs, std::size_t i)
         repairs.replace(token, QString::number(value - 1));
     }
     const bool isIndex = token.is("i") || token.is("j") || token.is("k");
-    if (isIndex && i > 0 && (repairs.is(i - 1, ",") || repairs.is(i - 1, "("))
+    if (isIndex && (repairs.is(i - 1, ",") || repairs.is(i - 1, "("))
         && (repairs.is(i + 1, ")") || repairs.is(i + 1, ","))) {
         repairs.insertAfter(token, QStringLiteral(" - 1"));
         repairs.insertAfter(token, QStringLiteral(" + 1"));
@@ -220,13 +218,13 @@ void addCoordinate(RepairList &repairs, std::size_t i)
 
 void scaleTerm(RepairList &repairs, std::size_t i)
 {
-    if (!beginsSum(repairs, i) && !isSum(repairs, i - (i > 0)))
+    if (!beginsSum(repairs, i) && !isSum(repairs, i - 1))
         return;
     const ProgramToken &first = repairs.tokens()[i];
     if (first.kind == ProgramToken::Kind::Number || repairs.program().afterOperand(i) == i)
         return;
     const std::size_t after = afterProduct(repairs, i);
-    if (!isSum(repairs, after) && !(i > 0 && isSum(repairs, i - 1)))
+    if (!isSum(repairs, after) && !isSum(repairs, i - 1))
         return;
     // What a function is given was worked out where it is called.
     const ProgramFunction *function = functionAt(repairs.functions(), first.line);

@@ -43,7 +43,7 @@ QString mirrored(const RepairList &repairs, int line, qsizetype from, qsizetype 
         const ProgramToken &token = program.tokens()[i];
         if (token.start < from || token.end() > to)
             continue;
-        const bool isIndex = !isCoordinate && token.kind == ProgramToken::Kind::Number && i > 0
+        const bool isIndex = !isCoordinate && token.kind == ProgramToken::Kind::Number
                              && program.is(i - 1, "[") && program.is(i + 1, "]");
         QString text = token.text;
         if (token.kind == ProgramToken::Kind::Name)

@@ -57,7 +57,7 @@ void exchangeOwner(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &name = repairs.tokens()[i];
     const bool isOwner = name.kind == ProgramToken::Kind::Name && repairs.is(i + 1, ".")
-                         && !(i > 0 && (repairs.is(i - 1, ".") || repairs.is(i - 1, ":")));
+                         && !(repairs.is(i - 1, ".") || repairs.is(i - 1, ":"));
     if (!isOwner)
         return;
     if (repairs.is(i + 2, "radius") || repairs.is(i + 2, "mass") || repairs.is(i + 2, "density")) {
@@ -80,8 +80,8 @@ void exchangeIndex(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &name = repairs.tokens()[i];
     const auto isIndex = [&](std::size_t at) {
-        return at > 0 && repairs.tokens()[at].kind == ProgramToken::Kind::Name
-               && repairs.is(at - 1, "[") && repairs.is(at + 1, "]");
+        return repairs.tokens()[at].kind == ProgramToken::Kind::Name && repairs.is(at - 1, "[")
+               && repairs.is(at + 1, "]");
     };
     const ProgramFunction *function = functionAt(repairs.functions(), name.line);
     if (!function || !isIndex(i))
@@ -109,12 +109,10 @@ void exchangeChoice(RepairList &repairs, std::size_t i)
     const bool isText = token.kind == ProgramToken::Kind::Text;
     const QString name = isText ? token.text.mid(1, token.text.size() - 2) : token.text;
     const auto own = named(name);
-    const bool isHandedOn = i > 0
-                            && (repairs.is(i - 1, "{") || repairs.is(i - 1, ",")
-                                || repairs.is(i - 1, "(") || repairs.is(i - 1, "="));
+    const bool isHandedOn = repairs.is(i - 1, "{") || repairs.is(i - 1, ",")
+                            || repairs.is(i - 1, "(") || repairs.is(i - 1, "=");
     if (own == functions.end() || name.isEmpty()
-        || !(isText || isHandedOn || repairs.is(i + 1, "("))
-        || (i > 0 && repairs.is(i - 1, "function")))
+        || !(isText || isHandedOn || repairs.is(i + 1, "(")) || repairs.is(i - 1, "function"))
         return;
     for (const ProgramFunction &other : functions) {
         const bool isLike = other.parameters.size() == own->parameters.size() && other.name != name

@@ -24,7 +24,7 @@ void squareSum(RepairList &repairs, std::size_t i)
     const std::vector<ProgramToken> &tokens = repairs.tokens();
     const std::size_t power = repairs.program().afterOperand(i);
     if (power == i || !repairs.is(power, "^") || !repairs.is(power + 1, "2")
-        || !repairs.is(power + 2, "+") || (i > 0 && repairs.is(i - 1, ".")))
+        || !repairs.is(power + 2, "+") || repairs.is(i - 1, "."))
         return;
     const std::size_t second = repairs.program().afterOperand(power + 3);
     if (second == power + 3 || !repairs.is(second, "^") || !repairs.is(second + 1, "2"))

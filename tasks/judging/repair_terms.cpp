@@ -11,7 +11,7 @@ void dropOperand(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &sign = repairs.tokens()[i];
     const bool joins = sign.is("*") || sign.is("/") || sign.is("^") || sign.is("+")
-                       || (sign.is("-") && i > 0 && repairs.tokens()[i - 1].endsOperand());
+                       || (sign.is("-") && repairs.endsOperand(i - 1));
     if (joins) {
         const std::size_t after = repairs.program().afterOperand(i + 1);
         if (after > i + 1)
@@ -19,7 +19,7 @@ void dropOperand(RepairList &repairs, std::size_t i)
     }
     const std::size_t after = repairs.program().afterOperand(i);
     if (after > i && after + 1 < repairs.tokens().size() && (repairs.tokens()[after].is("*"))
-        && !(i > 0 && (repairs.tokens()[i - 1].is(".") || repairs.tokens()[i - 1].is(":"))))
+        && !(repairs.is(i - 1, ".") || repairs.is(i - 1, ":")))
         repairs.replace(sign.line, sign.start, repairs.tokens()[after + 1].start, {});
 }
 
@@ -27,7 +27,7 @@ void dropOperand(RepairList &repairs, std::size_t i)
 void addFactor(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &token = repairs.tokens()[i];
-    if (i > 0 && (repairs.tokens()[i - 1].is(".") || repairs.tokens()[i - 1].is(":")))
+    if (repairs.is(i - 1, ".") || repairs.is(i - 1, ":"))
         return;
     const std::size_t after = repairs.program().afterOperand(i);
     if (after == i || repairs.program().isCall(token.line) || repairs.is(after, "=")
@@ -41,8 +41,7 @@ void addFactor(RepairList &repairs, std::size_t i)
             repairs.insertAfter(last, QStringLiteral(" * ") + timestep);
     }
     // Something that is turned round.
-    const bool isTurned =
-        i > 1 && repairs.tokens()[i - 1].is("-") && !repairs.tokens()[i - 2].endsOperand();
+    const bool isTurned = repairs.is(i - 1, "-") && !repairs.endsOperand(i - 2);
     if (isRate || isTurned)
         repairs.insertAfter(last, QStringLiteral(" * restitution"));
     if (last.is("radius") && after >= 3
@@ -55,10 +54,8 @@ void addFactor(RepairList &repairs, std::size_t i)
         repairs.insertAfter(last, QStringLiteral(" * %1.radius").arg(body));
         repairs.insertAfter(last, QStringLiteral(" * %1.density").arg(body));
     }
-    const bool isCompared =
-        i > 0
-        && (repairs.tokens()[i - 1].is("<") || repairs.tokens()[i - 1].is(">")
-            || repairs.tokens()[i - 1].is("<=") || repairs.tokens()[i - 1].is(">="));
+    const bool isCompared = (repairs.is(i - 1, "<") || repairs.is(i - 1, ">")
+                             || repairs.is(i - 1, "<=") || repairs.is(i - 1, ">="));
     if (last.kind == ProgramToken::Kind::Number || last.is("radius") || isCompared)
         repairs.insertAfter(last, QStringLiteral(" ^ 2"));
 }
@@ -139,16 +136,16 @@ void changeCall(RepairList &repairs, std::size_t i)
         return;
     const int line = tokens[i].line;
     const std::size_t after = program.afterGroup(i);
-    if (i > 1 && repairs.is(i - 2, ":") && after == i + 2)
+    if (repairs.is(i - 2, ":") && after == i + 2)
         repairs.replace(line, tokens[i - 2].start, tokens[after - 1].end(), {});
     std::size_t comma = i + 1;
     while (comma < after && !repairs.is(comma, ","))
         comma = repairs.is(comma, "(") ? program.afterGroup(comma) : comma + 1;
     const std::size_t one = program.afterOperand(i + 1);
-    if (tokens[i - 1].is("atan") && repairs.is(one, "/")
+    if (repairs.is(i - 1, "atan") && repairs.is(one, "/")
         && program.afterOperand(one + 1) + 1 == after)
         repairs.replace(tokens[one], QStringLiteral(","));
-    if (comma == after && i > 1 && repairs.is(i - 2, ".") && repairs.is(i - 3, "math"))
+    if (comma == after && repairs.is(i - 2, ".") && repairs.is(i - 3, "math"))
         repairs.replace(line, tokens[i - 3].start, tokens[i].start, {});
     if (comma + 1 >= after || comma == i + 1)
         return;
@@ -158,7 +155,7 @@ void changeCall(RepairList &repairs, std::size_t i)
     };
     const QString first = text(i + 1, comma);
     const QString second = text(comma + 1, after - 1);
-    if (tokens[i - 1].is("max") || tokens[i - 1].is("min"))
+    if (repairs.is(i - 1, "max") || repairs.is(i - 1, "min"))
         repairs.replace(line, tokens[i].start, tokens[after - 1].end(),
                         QStringLiteral("(%1 + %2, %1 + %2)").arg(first, second));
 }

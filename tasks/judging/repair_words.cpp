@@ -18,10 +18,10 @@ void changeNumber(RepairList &repairs, std::size_t i)
                        QStringLiteral("restitution")};
     if (number.text == QLatin1String("2"))
         others.append(QStringLiteral("(1 + restitution)"));
-    if (i > 0 && repairs.tokens()[i - 1].is("^"))
+    if (repairs.is(i - 1, "^"))
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
-    const bool isIndex = i > 0 && repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
-    const std::size_t before = i > 0 && repairs.is(i - 1, "-") ? i - 1 : i;
+    const bool isIndex = repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
+    const std::size_t before = repairs.is(i - 1, "-") ? i - 1 : i;
     const bool isWhole =
         (repairs.is(before - 1, "=") || repairs.is(before - 1, ","))
         && (i + 1 == repairs.tokens().size() || repairs.tokens()[i + 1].line != number.line
@@ -50,7 +50,7 @@ void changeNumber(RepairList &repairs, std::size_t i)
     const std::size_t last = repairs.is(i + 1, "/") && i + 2 < repairs.tokens().size() ? i + 2 : i;
     for (const QString &timestep : repairs.program().timesteps())
         repairs.replace(number.line, number.start, repairs.tokens()[last].end(), timestep);
-    if (number.text.startsWith(QLatin1String("9.8")) && i > 0 && repairs.tokens()[i - 1].is("-"))
+    if (number.text.startsWith(QLatin1String("9.8")) && repairs.is(i - 1, "-"))
         repairs.replace(number.line, repairs.tokens()[i - 1].start, number.end(),
                         QStringLiteral("gravity.y"));
 }
@@ -70,7 +70,7 @@ void changeSign(RepairList &repairs, std::size_t i)
         {"+", "-"}, {"-", "+"}, {"*", "/"},   {"/", "*"},  {"*", "+"},
         {"<", ">"}, {">", "<"}, {"<=", ">="}, {">=", "<="}};
     const ProgramToken &sign = repairs.tokens()[i];
-    const bool binary = i > 0 && repairs.tokens()[i - 1].endsOperand();
+    const bool binary = repairs.endsOperand(i - 1);
     for (const auto &[from, to] : pairs) {
         if (sign.is(from) && (binary || !sign.is("-")))
             repairs.replace(sign, QLatin1String(to));
