@@ -81,6 +81,13 @@ constexpr const char *shapes[] = {"x = math.max(A, B)",
                                   "for i = 1, #circles - 1 do f(circles[i], i, B) end",
                                   "x = (A + B) / 2",
                                   "x = (A + B) * C",
+                                  "x = (A - B) * (A - B)",
+                                  "x = f(A, (B)) + f(A, (B)) - (C)",
+                                  "m1 = A * C + m2",
+                                  "local va, vb = A, B",
+                                  "local x2 = A - C + B",
+                                  "b.velocity = f(A, b)",
+                                  "if f(a) then x = A end",
                                   "x = A / (B + C)",
                                   "x = A / B + C",
                                   "x = A * B * C / 2",
@@ -160,6 +167,9 @@ constexpr const char *pieces[] = {
     "self.ball:move(- u, w == z, 'text' .. x)",
     "x = u[1] - u[2] + m1 * m2 ; y = x",
     "local s = h",
+    "circles[1].velocity, kept[i].v = (u - w) * (u - w), w",
+    "function ball.move(c, h) return c.position, h end",
+    "while a.b do repeat f() until u == w end function on_update(h) dt = h end",
 };
 
 /// All that is tried in a line that begins or ends at any of its words.
@@ -172,7 +182,8 @@ QString piecesTold(const QString &line)
         const std::vector<Repair> repairs =
             repairsOf(piece, QStringLiteral("x = restitution"), {1}, 100'000);
         count += repairs.size();
-        print << repairs << approved::statements(ProgramLines(piece));
+        const ProgramLines program(piece);
+        print << repairs << approved::statements(program) << approved::lines(program);
     };
     for (const ProgramToken &token : whole.tokens()) {
         add(line.mid(token.start));
@@ -187,10 +198,13 @@ QString programTold(const QString &source)
     std::vector<int> all;
     for (int line = 1; line <= program.count(); ++line)
         all.push_back(line);
-    const std::vector<Repair> repairs =
+    std::vector<Repair> repairs =
         repairsOf(source, QStringLiteral("x = restitution"), all, 100'000);
     approved::TextPrint print;
-    print << repairs << program.countsOfLoops();
+    print << repairs << repairsOf(source, QStringLiteral("x = restitution"), all, 40)
+          << repairsOf(source, {}, all, 200);
+    putInOrder(repairs, source, {1, 3}, true);
+    print << repairs;
     return QStringLiteral("statements %1, lines %2, quantities %3, %4 changes %5\n")
         .arg(approved::statements(program), approved::lines(program), approved::quantities(program))
         .arg(repairs.size())

@@ -50,7 +50,7 @@ public:
     TextPrint &operator<<(const std::vector<Repair> &all)
     {
         for (const Repair &each : all)
-            *this << each.source << each.line << each.alone << each.told;
+            *this << each.source << each.line << each.alone << each.told << each.isDoubtful;
         return *this << all.size();
     }
     [[nodiscard]] QString text() const
@@ -70,20 +70,27 @@ inline QString statements(const ProgramLines &program)
           << copiesOf(program, assignments, {QStringLiteral("radius"), QStringLiteral("density")});
     for (const ProgramAssignment &each : assignments)
         print << each.line << each.name << each.isField << each.target << each.from << each.to
-              << each.last << valuesIn(program, each.from, each.to) << isHandedOn(program, each);
+              << each.last << valuesIn(program, each.from, each.to) << isHandedOn(program, each)
+              << isNumber(program, each);
     const std::vector<ProgramFunction> functions = functionsOf(program);
     for (const ProgramFunction &each : functions)
         print << each.name << each.parameters << each.first << each.last;
-    for (std::size_t i = 0; i < program.tokens().size(); ++i)
-        print << program.afterOperand(i) << afterExpression(program, i) << program.isNewName(i);
+    for (std::size_t i = 0; i < program.tokens().size(); ++i) {
+        print << program.afterOperand(i) << afterExpression(program, i) << program.isNewName(i)
+              << opensBlock(program, i) << endOfBlock(program, i);
+        for (const TokenRange &given : argumentsOf(program, i))
+            print << given.from << given.to;
+    }
     for (int line = 1; line <= program.count(); ++line)
-        print << (functionAt(functions, line) ? functionAt(functions, line)->first : 0);
+        print << (functionAt(functions, line) ? functionAt(functions, line)->first : 0)
+              << isOfStart(functions, line) << appliesGiven(program, line);
     return print.text();
 }
 
 inline QString lines(const ProgramLines &program)
 {
     TextPrint print;
+    print << program.countsOfLoops();
     const QStringList rows = rowsOf(program.source());
     const AskedValues asked(program);
     for (int line = 1; line <= program.count(); ++line) {

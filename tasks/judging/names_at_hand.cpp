@@ -78,7 +78,7 @@ NamesAtHand::NamesAtHand(const ProgramLines &program,
     for (std::size_t i = 0; i < program.tokens().size(); ++i) {
         const ProgramToken &token = program.tokens()[i];
         if (token.kind == ProgramToken::Kind::Name && isWithin(token.line)
-            && !(i > 0 && program.is(i - 1, ".")))
+            && !program.is(i - 1, "."))
             names.push_back(i);
     }
     m_rebound = program.hasName(QStringLiteral("restitution")) ? QStringLiteral("(1 + restitution)")

@@ -42,7 +42,7 @@ void ProgramLines::note(std::size_t i)
     const bool field = is(i + 1, ".") && i + 2 < m_tokens.size()
                        && (m_tokens[i + 2].is("position") || m_tokens[i + 2].is("radius")
                            || m_tokens[i + 2].is("velocity"));
-    if (field && !(i > 0 && m_tokens[i - 1].is(".")))
+    if (field && !is(i - 1, "."))
         m_bodies[token.line].insert(token.text);
     QString timestep;
     if (token.is("on_update") && is(i + 1, "(") && i + 2 < m_tokens.size())
@@ -56,7 +56,7 @@ void ProgramLines::note(std::size_t i)
 QStringList ProgramLines::bodiesNear(int line) const
 {
     QStringList found;
-    for (int away = 0; away < 12 && found.size() < 3; ++away) {
+    for (int away = 0; away < 12; ++away) {
         for (const int at : {line - away, line + away}) {
             const auto names = m_bodies.find(at);
             if (names == m_bodies.end())
@@ -106,7 +106,7 @@ bool ProgramLines::isNewName(std::size_t i) const
 {
     while (i > 0 && (is(i - 1, ",") || m_tokens[i - 1].kind == ProgramToken::Kind::Name))
         --i;
-    return i > 0 && is(i - 1, "local");
+    return is(i - 1, "local");
 }
 
 std::size_t ProgramLines::afterOperand(std::size_t i) const

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] const QString &source() const { return m_source; }
     [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] const std::vector<ProgramToken> &tokens() const { return m_tokens; }
+    /// \return false beyond the program, also before its first token: i - 1 may be asked of any
     [[nodiscard]] bool is(std::size_t i, const char *word) const
     {
         return i < m_tokens.size() && m_tokens[i].is(word);

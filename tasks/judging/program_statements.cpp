@@ -46,14 +46,14 @@ void addAssignments(std::vector<ProgramAssignment> &all, const ProgramLines &pro
     while (at > 0) {
         const std::size_t last = at - 1;
         const std::size_t first = targetStart(program, last);
-        if (!isName(program, first) || (first > 0 && program.is(first - 1, "for")))
+        if (!isName(program, first) || program.is(first - 1, "for"))
             return;
         targets.push_back({.line = program.tokens()[sign].line,
                            .name = isName(program, last) ? program.tokens()[last].text : QString(),
                            .isField = isInTable || first != last,
                            .target = first,
                            .last = last});
-        if (first == 0 || isInTable || !program.is(first - 1, ","))
+        if (isInTable || !program.is(first - 1, ","))
             break;
         at = first - 1;
     }

@@ -162,7 +162,7 @@ void exchangeFields(RepairList &repairs, int line)
     for (const std::size_t i : program.tokensOf(line)) {
         const QString owner = repairs.tokens()[i].text;
         const QString partner = repairs.is(i + 1, ".") ? repairs.partnerOf(owner) : QString();
-        if (partner.isEmpty())
+        if (partner.isEmpty() || i + 2 >= repairs.tokens().size())
             continue;
         const QString field = repairs.tokens()[i + 2].text;
         if (done.contains(field))
@@ -175,7 +175,7 @@ void exchangeFields(RepairList &repairs, int line)
         for (const std::size_t k : tokens) {
             const ProgramToken &token = repairs.tokens()[k];
             if ((token.text != owner && token.text != partner) || !repairs.is(k + 1, ".")
-                || repairs.tokens()[k + 2].text != field)
+                || k + 2 >= repairs.tokens().size() || repairs.tokens()[k + 2].text != field)
                 continue;
             isOfBoth = isOfBoth || token.text == partner;
             row.replace(token.start - program.startOf(line), token.text.size(),

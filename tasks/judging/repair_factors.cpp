@@ -26,9 +26,11 @@ bool beginsSum(const RepairList &repairs, std::size_t i)
 /// The token after the product that begins at \p i, in the same line.
 std::size_t afterProduct(const RepairList &repairs, std::size_t i)
 {
-    const int line = repairs.tokens()[i].line;
     std::size_t after = repairs.program().afterOperand(i);
-    while (after > i && (isProduct(repairs, after) || repairs.is(after, "^"))) {
+    if (after == i)
+        return i;
+    const int line = repairs.tokens()[i].line;
+    while (isProduct(repairs, after) || repairs.is(after, "^")) {
         const std::size_t next = repairs.program().afterOperand(after + 1);
         if (next == after + 1 || repairs.tokens()[next - 1].line != line)
             break;

@@ -31,7 +31,6 @@ public:
 
     [[nodiscard]] const ProgramLines &program() const { return m_program; }
     [[nodiscard]] const std::vector<ProgramToken> &tokens() const { return m_program.tokens(); }
-    /// \return false beyond the program, also before its first token: i - 1 may be asked of any
     [[nodiscard]] bool is(std::size_t i, const char *word) const { return m_program.is(i, word); }
     /// The same, of a token behind which a sign joins two.
     [[nodiscard]] bool endsOperand(std::size_t i) const

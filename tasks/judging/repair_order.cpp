@@ -233,10 +233,10 @@ public:
 
 private:
     struct Known {
-        Naming naming = Naming::Silent;
-        bool givesNumbers = false;
-        bool writesBack = false;
-        bool isOfCall = false;
+        Naming naming;
+        bool givesNumbers;
+        bool writesBack;
+        bool isOfCall;
     };
 
     ProgramLines m_program;

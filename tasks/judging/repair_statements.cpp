@@ -12,7 +12,8 @@ namespace {
 void changeCondition(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &word = repairs.tokens()[i];
-    if (word.is("and") || word.is("or")) {
+    const bool isBetween = i > 0 && i + 1 < repairs.tokens().size();
+    if (isBetween && (word.is("and") || word.is("or"))) {
         const auto stops = [&](const ProgramToken &t) {
             return t.kind == ProgramToken::Kind::Keyword && !t.is("not");
         };
@@ -78,7 +79,9 @@ void changeRightSide(RepairList &repairs, std::size_t i)
     if (!(repairs.is(i, "=") || returns) || i + 1 >= repairs.tokens().size())
         return;
     const int line = repairs.tokens()[i].line;
-    const std::size_t after = afterRightSide(repairs, i);
+    std::size_t after = afterRightSide(repairs, i);
+    if (repairs.is(after - 1, ",")) // the next value stands in the next line
+        --after;
     if (after == i + 1)
         return;
     const qsizetype from = repairs.tokens()[i + 1].start;

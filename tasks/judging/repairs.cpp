@@ -28,7 +28,7 @@ bool isAbsurd(const QString &source, qsizetype at)
     static const QRegularExpression same(QStringLiteral(
         "(?:\\b(?:if|elseif|and|or|not|return)\\b|=|\\() *([\\w.\\[\\]]+)(?: [+-] [\\w.]+)? "
         "?[<>]=? ?\\1(?: [+-] [\\w.]+)? *(?:\\b(?:then|and|or)\\b|\\)|$)"));
-    const qsizetype from = source.lastIndexOf(QLatin1Char('\n'), at - 1) + 1;
+    const qsizetype from = QStringView(source).first(at).lastIndexOf(u'\n') + 1;
     const qsizetype to = source.indexOf(QLatin1Char('\n'), at);
     static const QRegularExpression twice(QStringLiteral("\\b(\\w+), *\\1 *="));
     const QString row = source.mid(from, to < 0 ? -1 : to - from);
@@ -97,10 +97,10 @@ void RepairList::replaceInTwins(int line, qsizetype from, qsizetype to, const QS
     for (const int twin : m_program.twinsOf(line)) {
         const auto start = m_program.placeIn(line, twin, from);
         const auto end = m_program.placeIn(line, twin, to);
-        if (start && end)
-            first = std::min(first, twin);
-        if (start && end)
-            edits.push_back({*start, *end, inTwin(text, line, twin, {from, to}, *start)});
+        if (!start || !end)
+            continue;
+        first = std::min(first, twin);
+        edits.push_back({*start, *end, inTwin(text, line, twin, {from, to}, *start)});
     }
     if (edits.size() < 2)
         return;
@@ -134,8 +134,7 @@ void RepairList::add(const QString &source, int line, bool alone)
 std::vector<Repair> RepairList::take()
 {
     // What is the same in several lines is tried at last, but not left out.
-    if (m_repairs.size() > m_most - m_twins.size())
-        m_repairs.resize(m_most - m_twins.size());
+    m_repairs.resize(std::min(m_repairs.size(), m_most - m_twins.size()));
     std::move(m_twins.begin(), m_twins.end(), std::back_inserter(m_repairs));
     return std::move(m_repairs);
 }

@@ -140,3 +140,79 @@ y = [[ c.velocity ]] --[[ d.position
 e.position ]] z = 0x1F + 1e-3 + .5 + 3. + 1E+2
 w = 'it\'s' .. "\"q\"" ; v = x
 goto done ::done::
+--== two that are not alike
+a.velocity = u + w * h
+a.velocity = u * w * h
+b.velocity = u - w * h
+b.velocity = u / w * h
+--== one after the other
+a.velocity = b.velocity
+b.velocity = a.velocity
+local p = q
+q = p
+x1 = x2
+x2 = x1
+--== the same twice
+m1 = f(c1)
+m1 = f(c1)
+x = y
+x = y
+local r2 = g(c2)
+
+local r2 = g(c2)
+--== a field at the start
+a.position = 1
+x.a.position = 2
+a.position.x = b.radius
+c.velocity, d.velocity, e.velocity = 1, 2, 3
+f.radius = g.radius
+--== four circles in a line
+x = a.radius + b.radius + c.radius + d.radius
+y = 1
+--== numbers with names
+local speed, e = 4, -0.5
+local half = 0.5 -- of it
+count = 0
+count = count + 1
+if count < 3 then count = count - 2 end
+if speed > 3 then speed = 1.5 end
+while half <= count do half = half + 0.25 end
+--== what is called
+local function mass(c) return c.density * c.radius ^ 3 end
+local function inverse_mass(c) return 1 / mass(c) end
+function on_update(h)
+  local m1 = mass(a)
+  local m2 = mass(a)
+  local inv1, inv2 = inverse_mass(a), inverse_mass(b)
+  if touches(a, b) then return end
+  return mass(b)
+end
+local function touches(c, d) return mass(c) > mass(d) end
+--== what is handed on
+local function apply(c, v, w)
+  c.velocity = v
+  c.position = c.position + w
+  c.velocity = -v
+  c.velocity = v * 2
+  c.velocity = 3
+  c.velocity, c.position = v, w
+  x = v
+  c.velocity = f(v)
+end
+--== indices of all kinds
+function on_load()
+  local i, k, j = 1, 2, 3
+  bodies[i] = circles[k]
+  bodies[k].m = bodies[i].m * bodies[j].m
+  if bodies[i] == circles[1] then bodies[1], bodies[2] = bodies[2], bodies[1] end
+end
+--== brackets that come twice
+x = (a.radius + b.radius) * (a.radius + b.radius)
+y = f(((u - w) / 2), 1) + f(((u - w) / 2), 1)
+z = (u + w)
+--== terms that come twice
+x = x + u * h + u * h
+y = y - g - g
+z = z + u + w
+if true then x = 1 end
+elseif false then y = 2 end
