@@ -178,6 +178,40 @@ void addWhatIsMeasuredOfWrong(MeasuredPair &pair, Draws &draws)
         pair.ownTurned = pair.own;
 }
 
+/// New parts of some hits that are sums of old ones, or turned and lengthened pushes.
+void answerOtherwise(const Group &hits, Draws &draws)
+{
+    constexpr double factors[] = {0.0, 1.0, -1.0, 0.0, 0.5, 2.0, 0.0, 1.0, -0.5, 3.0};
+    const auto factor = [&] { return factors[draws.below(std::size(factors))]; };
+    if (draws.oneOf(2)) {
+        double of[8];
+        for (double &each : of)
+            each = factor();
+        const bool isOfE = draws.oneOf(3);
+        for (PairHit *hit : hits) {
+            const PairVelocities in = hit->cameParts();
+            const double e = isOfE ? hit->meeting.restitution : 1.0;
+            const Vec2 n = hit->normal;
+            const Vec2 across = perpendicular(n);
+            hit->left1 = e * (of[0] * in.along1 + of[1] * in.along2) * n
+                         + (of[2] * in.across1 + of[3] * in.across2) * across;
+            hit->left2 = e * (of[4] * in.along1 + of[5] * in.along2) * n
+                         + (of[6] * in.across1 + of[7] * in.across2) * across;
+        }
+        return;
+    }
+    const double angle = std::atan(1.0) * double(draws.below(8));
+    const double power = double(draws.below(5)) - 2.0;
+    const std::size_t which = draws.below(4);
+    for (PairHit *hit : hits) {
+        const double base = which == 0   ? 0.5 * (hit->before + hit->reached)
+                            : which == 1 ? hit->meeting.radius1
+                            : which == 2 ? hit->meeting.density1
+                                         : hit->meeting.restitution + 0.5;
+        answer(*hit, std::pow(base, power) * turned(hit->normal, angle), hit->meeting.restitution);
+    }
+}
+
 /// Some hits by \p law, and some of their numbers changed.
 MeasuredPair changed(const MeasuredPair &right, const HitLaw &law, Draws &draws)
 {
@@ -191,6 +225,8 @@ MeasuredPair changed(const MeasuredPair &right, const HitLaw &law, Draws &draws)
         for (PairHit *hit : draws.someOf(groups))
             other.answer(*hit);
     }
+    if (draws.oneOf(5))
+        answerOtherwise(draws.someOf(groups), draws);
     if (!draws.oneOf(6)) {
         const std::size_t which = draws.below(numbers);
         const double by = draws.amount();

@@ -40,6 +40,7 @@ public:
         }
     }
     void add(bool isSo) { *m_print << isSo; }
+    void add(const QString &hash) { *m_print << hash; }
     /// \return what is not as approved; empty: nothing
     [[nodiscard]] QString endPart(const QString &name)
     {
