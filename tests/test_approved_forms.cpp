@@ -205,8 +205,9 @@ QString programTold(const QString &source)
           << repairsOf(source, {}, all, 200);
     putInOrder(repairs, source, {1, 3}, true);
     print << repairs;
-    return QStringLiteral("statements %1, lines %2, quantities %3, %4 changes %5\n")
-        .arg(approved::statements(program), approved::lines(program), approved::quantities(program))
+    return QStringLiteral("statements %1, lines %2, quantities %3, values %4, %5 changes %6\n")
+        .arg(approved::statements(program), approved::lines(program), approved::quantities(program),
+             approved::values(program))
         .arg(repairs.size())
         .arg(print.text());
 }

@@ -132,4 +132,33 @@ inline QString quantities(const ProgramLines &program)
     return print.text();
 }
 
+/// All that may stand in place of values of all kinds, wherever they stand.
+inline QString values(const ProgramLines &program)
+{
+    constexpr const char *kinds[] = {"radius",  "u < w",   "p:length()", "math.abs(p.x)",
+                                     "3.5",     "0",       "i",          "c.density * r ^ 3",
+                                     "v",       "mass",    "v.x",        "v:dot(n)",
+                                     "c.index", "volume_2"};
+    TextPrint print;
+    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    for (int line = 1; line <= program.count(); ++line) {
+        const NamesAtHand names(program, assignments, functions, line);
+        print << names.rebound();
+        for (const Aspect aspect : {Aspect::Motion, Aspect::Walls, Aspect::Course, Aspect::Contact,
+                                    Aspect::Response, Aspect::Start}) {
+            for (const Suspect suspect : {Suspect::Answer, Suspect::Masses}) {
+                const Quantities all(names, program.timesteps(), aspect, suspect);
+                print << all.all() << all.parts();
+                for (const char *kind : kinds) {
+                    const QString value = QLatin1String(kind);
+                    print << all.soundFor(value) << all.sides(value) << all.sidesOfScene(value)
+                          << all.completed(value, {QStringLiteral("kept")});
+                }
+            }
+        }
+    }
+    return print.text();
+}
+
 } // namespace cradle::approved

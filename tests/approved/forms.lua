@@ -216,3 +216,50 @@ y = y - g - g
 z = z + u + w
 if true then x = 1 end
 elseif false then y = 2 end
+--== helpers of vectors
+local function len(v)
+  return (v.x ^ 2 + v.y ^ 2) ^ 0.5
+end
+local function along(v, n)
+  return v:dot(n)
+end
+local function three(u, v, w)
+  return u + v + w
+end
+local function none()
+  return circles[1].position
+end
+--== fields of tables
+function on_load()
+  for i = 1, #circles do
+    local c = circles[i]
+    bodies[i] = {p = c.position, v = c.velocity, r = c.radius, rho = c.density}
+    bodies[i].m = bodies[i].rho * bodies[i].r ^ 3
+  end
+end
+function on_update(h)
+  for _, b in ipairs(bodies) do
+    b.p = b.p + h * b.v
+    if b.p.x + b.r > 4 then b.v = vec(-b.v.x, b.v.y) end
+  end
+  local one, two = bodies[1], bodies[2]
+  local n, m_a, m_b, rad_1 = (two.p - one.p):normalized(), one.m, two.m, one.r
+  one.v = one.v - m_b / (m_a + m_b) * n
+  local reach = rad_1 + two.r
+  local dirx, unit = n.x, reach * n
+end
+--== parameters that go together
+local function hit(a, b)
+  local M1, M2, Mass = mass(a), mass(b), 3
+  a.velocity = a.velocity * M1
+end
+local function hit2(p1, p2, normal, m1, m2)
+  p1.velocity = p1.velocity + normal * m1
+end
+local function ends(c, d, i)
+  for _, c in ipairs(circles) do c.position = c.position end
+  for k, other in ipairs(circles) do
+    if other.radius > d.radius then c.velocity = other.velocity end
+  end
+  return mass_one * mass_two * r_a * radius(c)
+end
