@@ -178,7 +178,8 @@ void addWhatIsMeasuredOfWrong(MeasuredPair &pair, Draws &draws)
         pair.ownTurned = pair.own;
 }
 
-/// New parts of some hits that are sums of old ones, or turned and lengthened pushes.
+/// New parts of some hits that are sums of old ones, turned and lengthened pushes, or distances
+/// that are sums of radii.
 void answerOtherwise(const Group &hits, Draws &draws)
 {
     constexpr double factors[] = {0.0, 1.0, -1.0, 0.0, 0.5, 2.0, 0.0, 1.0, -0.5, 3.0};
@@ -197,6 +198,18 @@ void answerOtherwise(const Group &hits, Draws &draws)
                          + (of[2] * in.across1 + of[3] * in.across2) * across;
             hit->left2 = e * (of[4] * in.along1 + of[5] * in.along2) * n
                          + (of[6] * in.across1 + of[7] * in.across2) * across;
+        }
+        return;
+    }
+    if (draws.oneOf(2)) {
+        const double of1 = factor(), of2 = factor(), besides = 0.1 * factor();
+        const double ofX = factor(), ofY = factor();
+        const bool isOfLine = draws.oneOf(3);
+        for (PairHit *hit : hits) {
+            const Meeting &m = hit->meeting;
+            const double line = std::abs(ofX * hit->normal.x + ofY * hit->normal.y);
+            meetAt(*hit, (of1 * m.radius1 + of2 * m.radius2 + besides)
+                             / (isOfLine ? std::max(line, 0.05) : 1.0));
         }
         return;
     }
