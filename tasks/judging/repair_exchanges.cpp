@@ -91,7 +91,7 @@ void restoreWall(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &token = repairs.tokens()[i];
     const std::size_t after = repairs.program().afterOperand(i);
-    if (token.kind != ProgramToken::Kind::Name || i == 0 || after == i
+    if (token.kind != ProgramToken::Kind::Name
         || !(repairs.is(i - 1, "(") || repairs.is(i - 1, ","))
         || !(repairs.is(after, ")") || repairs.is(after, ","))
         || !(repairs.is(after - 1, "radius") || token.text.startsWith(u'r'))
@@ -123,8 +123,7 @@ void makeRelative(RepairList &repairs, std::size_t i)
 void exchangeElement(RepairList &repairs, std::size_t i)
 {
     const std::vector<ProgramToken> &tokens = repairs.tokens();
-    if (!repairs.is(i, "circles") || !repairs.is(i + 1, "[") || i + 3 >= tokens.size()
-        || !repairs.is(i + 3, "]"))
+    if (!repairs.is(i, "circles") || !repairs.is(i + 1, "[") || !repairs.is(i + 3, "]"))
         return;
     for (const QString &body : repairs.program().bodiesNear(tokens[i].line))
         repairs.replace(tokens[i].line, tokens[i].start, tokens[i + 3].end(), body);

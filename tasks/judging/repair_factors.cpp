@@ -85,7 +85,7 @@ void gatherSum(RepairList &repairs, std::size_t i)
     if (sign == i || !isSum(repairs, sign))
         return;
     std::size_t at = repairs.program().afterOperand(sign + 1);
-    while (at > sign + 1 && repairs.is(at, "*"))
+    while (repairs.is(at, "*"))
         at = repairs.program().afterOperand(at + 1);
     if (!repairs.is(at, "/"))
         return;
@@ -120,7 +120,7 @@ void shareSum(RepairList &repairs, std::size_t i)
 void copyFactor(RepairList &repairs, std::size_t i)
 {
     const std::vector<ProgramToken> &tokens = repairs.tokens();
-    if (!(repairs.is(i, "=") || repairs.is(i, "(")) || i + 1 >= tokens.size())
+    if (!(repairs.is(i, "=") || repairs.is(i, "(")))
         return;
     const std::size_t one = repairs.program().afterOperand(i + 1);
     const std::size_t comma = one == i + 1 ? one : afterProduct(repairs, i + 1);
@@ -147,7 +147,7 @@ void copyFactor(RepairList &repairs, std::size_t i)
 void useForgotten(RepairList &repairs, std::size_t i)
 {
     const std::vector<ProgramToken> &tokens = repairs.tokens();
-    if (!repairs.is(i, "=") || i + 1 >= tokens.size() || tokens[i + 1].line != tokens[i].line)
+    if (!repairs.is(i, "=") || repairs.lineOf(i + 1) != tokens[i].line)
         return;
     const std::size_t after = afterExpression(repairs.program(), i + 1);
     for (const QString &name : repairs.program().forgotten(tokens[i].line)) {

@@ -37,6 +37,11 @@ public:
     {
         return i < tokens().size() && tokens()[i].endsOperand();
     }
+    /// \return 0 beyond the program
+    [[nodiscard]] int lineOf(std::size_t i) const
+    {
+        return i < tokens().size() ? tokens()[i].line : 0;
+    }
     [[nodiscard]] const std::vector<ProgramAssignment> &assignments() const
     {
         return m_assignments;

@@ -43,7 +43,7 @@ void divideStep(RepairList &repairs, std::size_t i)
     const std::vector<ProgramToken> &tokens = repairs.tokens();
     if (!repairs.is(i, "=") || i + 1 >= tokens.size()
         || !repairs.program().timesteps().contains(tokens[i + 1].text)
-        || (i + 2 < tokens.size() && tokens[i + 2].line == tokens[i].line))
+        || repairs.lineOf(i + 2) == tokens[i].line)
         return;
     const QStringList &parts = repairs.program().countsOfLoops();
     for (const QString &count : parts)

@@ -76,7 +76,7 @@ std::size_t commaOfTwo(const RepairList &repairs, std::size_t from, std::size_t 
 void changeRightSide(RepairList &repairs, std::size_t i)
 {
     const bool returns = repairs.is(i, "return");
-    if (!(repairs.is(i, "=") || returns) || i + 1 >= repairs.tokens().size())
+    if (!(repairs.is(i, "=") || returns))
         return;
     const int line = repairs.tokens()[i].line;
     std::size_t after = afterRightSide(repairs, i);
@@ -155,7 +155,7 @@ void repairStatements(RepairList &repairs, std::size_t i)
 void repairScales(RepairList &repairs, std::size_t i)
 {
     const bool returns = repairs.is(i, "return");
-    if (!(repairs.is(i, "=") || returns) || i + 1 >= repairs.tokens().size())
+    if (!(repairs.is(i, "=") || returns))
         return;
     const std::size_t after = afterRightSide(repairs, i);
     if (after == i + 1 || commaOfTwo(repairs, i + 1, after) != after)

@@ -96,8 +96,7 @@ void addRadius(RepairList &repairs, std::size_t i)
 void addDensity(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &token = repairs.tokens()[i];
-    if (!(repairs.is(i, "=") || repairs.is(i, "return")) || i + 1 >= repairs.tokens().size()
-        || repairs.tokens()[i + 1].line != token.line)
+    if (!(repairs.is(i, "=") || repairs.is(i, "return")) || repairs.lineOf(i + 1) != token.line)
         return;
     for (const std::size_t at : repairs.program().tokensOf(token.line)) {
         if (at > i + 1 && repairs.is(at, "radius") && repairs.is(at - 1, ".")

@@ -22,10 +22,8 @@ void changeNumber(RepairList &repairs, std::size_t i)
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
     const bool isIndex = repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
     const std::size_t before = repairs.is(i - 1, "-") ? i - 1 : i;
-    const bool isWhole =
-        (repairs.is(before - 1, "=") || repairs.is(before - 1, ","))
-        && (i + 1 == repairs.tokens().size() || repairs.tokens()[i + 1].line != number.line
-            || repairs.is(i + 1, ","));
+    const bool isWhole = (repairs.is(before - 1, "=") || repairs.is(before - 1, ","))
+                         && (repairs.lineOf(i + 1) != number.line || repairs.is(i + 1, ","));
     if (isWhole)
         others.append(QStringLiteral("0"));
     if (isIndex)
