@@ -174,8 +174,10 @@ int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, i
         return deviation.isConditional ? Mending::None : mending(changed);
     };
     const WorkLimit limit(m_workLeft);
-    const auto repair = repairOf(
-        {program, m_task.solution, moment, ran, deviation.suspect, last, aspect, passes, measured});
+    const bool isAnyMethod = std::any_of(m_ground.flights.begin(), m_ground.flights.end(),
+                                         [](const auto &flight) { return flight.isAnyMethod; });
+    const auto repair = repairOf({program, m_task.solution, moment, ran, deviation.suspect, last,
+                                  aspect, isAnyMethod, passes, measured});
     m_workLeft = WorkLimit::left();
     if (!repair)
         return 0;

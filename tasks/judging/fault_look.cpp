@@ -48,12 +48,13 @@ std::vector<Circle> after(const QString &program, const Stage &stage, qint64 ste
 } // namespace
 
 FaultLook::FaultLook(const QString &program, const QString &reference, const Moment &moment,
-                     bool isHit, bool isQuestion)
+                     bool isHit, bool isQuestion, bool isAnyMethod)
     : m_program(program)
     , m_reference(reference)
     , m_moment(moment)
     , m_isHit(isHit)
     , m_isQuestion(isQuestion)
+    , m_isAnyMethod(isAnyMethod && !isHit)
 {
     const qint64 steps = moment.step + (moment.isPosition ? 0 : answerLate);
     for (auto *scene : {&m_first, &m_second}) {
@@ -126,7 +127,7 @@ double FaultLook::slackIn(const Stage &stage) const
     const double h = stage.preset.timestep;
     const double fallen = length(stage.preset.gravity) * h * h;
     if (m_moment.isPosition && !m_isHit)
-        return 1e-7 + 0.4 * fallen;
+        return 1e-7 + (m_isAnyMethod ? 0.1 : 0.4) * fallen;
     if (!m_isQuestion)
         return 0.2;
     // Who answers a step too early or too late is a step away from there.
@@ -176,24 +177,34 @@ bool FaultLook::isRightIn(const Scene &scene, const QString &program) const
     // Who does the same all the way does it from the midst of the way, which is soon seen.
     return (!scene.start
             || isNear(after(program, scene.stage, scene.steps, &*scene.start), scene.late, 2.0,
-                      scene))
-           && isNear(after(program, scene.stage, scene.steps), scene.whole, 1.0, scene);
+                      scene, scene.steps - scene.start->step))
+           && isNear(after(program, scene.stage, scene.steps), scene.whole, 1.0, scene,
+                     scene.steps);
 }
 
 bool FaultLook::isNear(const std::vector<Circle> &made, const Ends &ends, double tolerance,
-                       const Scene &scene) const
+                       const Scene &scene, qint64 steps) const
 {
+    // Between one integrator and the next lies half of g Δt² a step.
+    const double h = scene.stage.preset.timestep;
+    const Vec2 half = 0.5 * h * h * static_cast<double>(steps) * scene.stage.preset.gravity;
     if (made.empty() || made.size() != ends.wanted.size() || made.size() != ends.was.size())
         return false;
-    const auto isLike = [&](const Circle &a, const Circle &b) {
+    const auto isLike = [&](const Circle &a, const Circle &b, Vec2 off = {}) {
         return isAlike(a.velocity, b.velocity, tolerance * scene.near)
-               && length(a.position - b.position) < tolerance * scene.slack;
+               && length(a.position - b.position - off) < tolerance * scene.slack;
+    };
+    const auto isRight = [&](const Circle &a, const Circle &b) {
+        const auto isOff = [&](double times) { return isLike(a, b, times * half); };
+        static constexpr double others[] = {-2.0, -1.0, 1.0, 2.0};
+        return isLike(a, b)
+               || (m_isAnyMethod && std::any_of(std::begin(others), std::end(others), isOff));
     };
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto &wrong = m_moment.circles;
         const bool isWrong =
             std::find(wrong.begin(), wrong.end(), static_cast<int>(i)) != wrong.end();
-        if (!isLike(made[i], ends.wanted[i]) && (isWrong || !isLike(made[i], ends.was[i])))
+        if (!isRight(made[i], ends.wanted[i]) && (isWrong || !isLike(made[i], ends.was[i])))
             return false;
     }
     return true;

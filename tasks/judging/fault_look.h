@@ -21,8 +21,9 @@ class FaultLook
 public:
     /// \param program, reference, moment  must live as long
     /// \param isHit  of a wall or another circle: it may come a step later
+    /// \param isAnyMethod  any integrator is right in free flight, not the reference's alone
     FaultLook(const QString &program, const QString &reference, const Moment &moment, bool isHit,
-              bool isQuestion);
+              bool isQuestion, bool isAnyMethod = false);
 
     /// Whether the program itself is told from the reference.
     [[nodiscard]] bool showsFault();
@@ -51,8 +52,9 @@ private:
     [[nodiscard]] Stage otherStage() const;
     [[nodiscard]] Sight sightOf(const QString &program) const;
     [[nodiscard]] bool isRightIn(const Scene &scene, const QString &program) const;
+    /// \param steps  that were made under the method of \p made
     [[nodiscard]] bool isNear(const std::vector<Circle> &made, const Ends &ends, double tolerance,
-                              const Scene &scene) const;
+                              const Scene &scene, qint64 steps) const;
     /// By how much the velocities of the circles that are wrong differ in the end.
     [[nodiscard]] double offOf(const Ends &ends) const;
     /// Whether the program itself is told from the reference in \p scene; a little fault by less.
@@ -64,6 +66,7 @@ private:
     const Moment &m_moment;
     bool m_isHit;
     bool m_isQuestion;
+    bool m_isAnyMethod;
     std::optional<Scene> m_first{};  ///< the moment; nothing if the program is right there
     std::optional<Scene> m_second{}; ///< a scene like it, if the two do not do the same there
     QHash<QString, Sight> m_seen{};  ///< of the programs that were looked at

@@ -162,7 +162,7 @@ std::optional<Repair> foundRepair(const FaultQuery &query)
 {
     Trials trials;
     FaultLook look(query.program, query.reference, query.moment, query.aspect != Aspect::Motion,
-                   isOfQuestion(query.suspect));
+                   isOfQuestion(query.suspect), query.isAnyMethod);
     // What shows nothing proves nothing.
     if (query.ran.now.empty() || !look.showsFault())
         return std::nullopt;

@@ -22,6 +22,7 @@ struct FaultQuery {
     Suspect suspect = Suspect::Answer;
     int last = 0;                   ///< the line that last changed what is wrong
     Aspect aspect = Aspect::Motion; ///< of a hit it may show a step later
+    bool isAnyMethod = false;       ///< any integrator is right
     /// Whether a changed program passes all that failed; asked of some dozens.
     std::function<bool(const QString &)> passes{};
     /// How far a changed program no longer deviates so, where others go on; asked of few.
