@@ -10,7 +10,7 @@ namespace {
 
 /// In one line: the lines of the program behind it keep their numbers. Factors that all masses
 /// have in common do not count.
-constexpr const char *text = R"(
+constexpr const char *quantitiesText = R"(
 local before = { %4 }
 local function known_values(h, kind)
   local of_normal = kind == 'normal'
@@ -49,6 +49,7 @@ local function known_values(h, kind)
       if kind ~= 'reduced' then add(f * (m + k)) end
       add(1 / (f * m)) add(1 / (f * k)) add(1 / (f * m) + 1 / (f * k))
       along(f * push)
+      if kind ~= 'push' then add(f * m * v) add(f * k * w) end
       add(e / (f * (m + k))) add((a - b) / (f * (m + k)))
       if kind ~= 'push' then add((a - b + e) / (f * (m + k))) end
       add(f * circle1.radius ^ 3) add(f * circle2.radius ^ 3)
@@ -127,9 +128,11 @@ QString knownQuantities(Known known, qint64 step, double timestep, const World &
         velocities.append(vector.arg(number(circle.velocity.x), number(circle.velocity.y)));
     }
     const QStringList all = places.mid(0, 2) + velocities.mid(0, 2);
-    return QString::fromLatin1(text).simplified().arg(step).arg(
-               number(timestep), kind, all.join(QLatin1String(", ")),
-               isStrict ? QLatin1String("true") : QLatin1String("false"))
+    return QString::fromLatin1(quantitiesText)
+               .simplified()
+               .arg(step)
+               .arg(number(timestep), kind, all.join(QLatin1String(", ")),
+                    isStrict ? QLatin1String("true") : QLatin1String("false"))
            + QLatin1Char(' ');
 }
 
