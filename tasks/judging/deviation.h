@@ -48,6 +48,8 @@ enum class Topic {
     Timestep,    ///< that it is another one with another timestep
     Rounding,    ///< that it is a whole number
     Depth,       ///< that it is another one where the rims touch early in a step
+    Memory,      ///< what is kept of an earlier hit
+    Held,        ///< that a wall puts a circle back and leaves its velocity as it was
 };
 
 /// One thing in which a program's law is not the one that is asked for.
@@ -59,6 +61,7 @@ struct LawDeviation {
     int shown = 0;    ///< in how many of the scenes it shows; 0 where that is not counted
     QString family{}; ///< what may become of it when some of it is mended; empty: only the same
     Topic topic = Topic::Other;
+    std::optional<Wall> wall{}; ///< the only one that it is about
     bool isEverywhere = false;  ///< of a wall's reach: no wall is known where it is right
     bool isConditional = false; ///< what is asked for comes out right at times
     bool isOfSome = false;      ///< it says itself that not all come out wrong

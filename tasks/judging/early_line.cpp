@@ -26,27 +26,6 @@ bool isSetBehind(int line, const QString &field, const std::vector<ProgramAssign
     });
 }
 
-/// The first such line that puts what it takes into a list: r[i] = circles[i].radius.
-int earlyRow(const ProgramLines &program, const QStringList &fields,
-             const std::vector<ProgramAssignment> &assignments,
-             const std::vector<ProgramFunction> &functions)
-{
-    static const QRegularExpression listed(
-        QStringLiteral("^\\s*(?:\\w+\\[\\w+\\]\\s*,?\\s*)+=\\s*([^=].*)$"));
-    for (int line = 1; line <= program.count(); ++line) {
-        const QString given = listed.match(program.row(line)).captured(1);
-        if (given.isEmpty() || !isOfStart(functions, line))
-            continue;
-        const auto isEarly = [&](const QString &field) {
-            return given.contains(QRegularExpression(QStringLiteral("\\.%1\\b").arg(field)))
-                   && isSetBehind(line, field, assignments, functions);
-        };
-        if (std::any_of(fields.begin(), fields.end(), isEarly))
-            return line;
-    }
-    return 0;
-}
-
 } // namespace
 
 int earlyLine(const ProgramLines &program, const QStringList &fields)
@@ -80,16 +59,19 @@ int earlyLine(const ProgramLines &program, const QStringList &fields)
         }
         return false;
     };
-    for (const ProgramAssignment &value : assignments) {
-        if (!isOfStart(functions, value.line) || fields.contains(value.name))
-            continue;
-        const auto isSetLater = [&](const QString &field) {
-            return isOf(value, field) && isSetBehind(value.line, field, assignments, functions);
-        };
-        if (std::any_of(fields.begin(), fields.end(), isSetLater))
-            return value.line;
+    const auto isEarly = [&](const ProgramAssignment &value) {
+        return isOfStart(functions, value.line) && !fields.contains(value.name)
+               && std::any_of(fields.begin(), fields.end(), [&](const QString &field) {
+                      return isOf(value, field)
+                             && isSetBehind(value.line, field, assignments, functions);
+                  });
+    };
+    for (const auto &values : {assignments, rowAssignmentsOf(program)}) {
+        const auto early = std::find_if(values.begin(), values.end(), isEarly);
+        if (early != values.end())
+            return early->line;
     }
-    return earlyRow(program, fields, assignments, functions);
+    return 0;
 }
 
 } // namespace cradle

@@ -29,6 +29,7 @@ struct FlightSaid {
     bool hidesWalls = false; ///< what is shot at walls is not seen through it
     bool isOfOne = false;    ///< its numbers are of that circle alone, though others fly like it
     bool isOfWall = false;   ///< a wall does it, see strayWallSaid()
+    Topic topic = Topic::Other;
 };
 
 /// The flight of one circle beside that of the reference.

@@ -93,6 +93,7 @@ std::vector<LawDeviation> flightDeviations(const MeasuredFlight &own, const Meas
                                          + withNames(said.body, circles, ground.flights.size()),
                               .moment = said.moment,
                               .suspect = said.suspect,
+                              .topic = said.topic,
                               .isMethod = said.isMethod,
                               .hidesHits = said.hidesHits,
                               .hidesWalls = said.hidesWalls});

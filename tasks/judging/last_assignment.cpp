@@ -5,6 +5,7 @@
 #include "tasks/judging/hit_at_moment.h"
 #include "tasks/judging/line_guess.h"
 #include "tasks/judging/program_functions.h"
+#include "tasks/judging/unset_line.h"
 
 #include <algorithm>
 #include <optional>
@@ -127,6 +128,8 @@ void markStart(Finding &finding, const Moment &moment, const Task &task,
     }
     if (finding.line == 0 && circle < 0)
         finding.line = hidingLine(*submission.script, *moment.start);
+    if (finding.line == 0)
+        finding.line = unsetLine(program, script.traceStart(submission.preset), *moment.start);
     if (const int line = numberLine(program, finding.line, moment, task, submission)) {
         finding.line = line;
         finding.calls.clear();

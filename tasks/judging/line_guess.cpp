@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/line_guess.h"
 
+#include "tasks/judging/called_lines.h"
+#include "tasks/judging/lone_lines.h"
 #include "tasks/judging/push_origin.h"
 #include "tasks/judging/question_lines.h"
 #include "tasks/judging/telling_lines.h"
@@ -250,12 +252,20 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
                 const LastAssignment &assignment)
 {
     const int line = actedLine(program, deviation, ran, assignment);
+    const ProgramLines lines(program);
+    if (line == 0 && deviation.suspect == Suspect::Question)
+        return lineOfWall(deviation, lines);
+    for (const int other :
+         {unwrittenTurn(deviation, lines, ran), askedOfFunction(deviation, lines, line),
+          callForOne(deviation, lines, line)}) {
+        if (other != 0)
+            return other;
+    }
     const bool isFormula =
         deviation.suspect == Suspect::Answer || deviation.suspect == Suspect::Formula;
     if (deviation.aspect != Aspect::Response || !isFormula || line <= 0)
         return line;
     // What is wrong with one circle alone is not in what both call.
-    const ProgramLines lines(program);
     const int called = PushOrigin(lines, ran).ofCalled(line);
     return called != 0 && assignment.hit().wrongCircles().size() == 2 && !assignment.isSound(called)
                ? called

@@ -83,14 +83,58 @@ int equalityLine(const ProgramLines &program, const QStringList &rows)
     return found;
 }
 
+int lineOfWall(const LawDeviation &deviation, const ProgramLines &program)
+{
+    static constexpr const char *names[] = {"left", "right", "bottom", "top"};
+    if (!deviation.wall)
+        return 0;
+    const auto isWall = [&](std::size_t i, const char *name) {
+        return i > 1 && program.is(i, name) && program.is(i - 1, ".")
+               && program.is(i - 2, "square");
+    };
+    const char *own = names[static_cast<int>(*deviation.wall)];
+    // What names a circle asks for that one.
+    static const QRegularExpression named(QStringLiteral("\\bcircles?\\[?(\\d+)\\b"));
+    const auto isOfAnother = [&](int line) {
+        const QRegularExpressionMatch match = named.match(program.row(line));
+        const std::vector<int> &circles = deviation.moment.circles;
+        return match.hasMatch()
+               && std::find(circles.begin(), circles.end(), match.captured(1).toInt() - 1)
+                      == circles.end();
+    };
+    const std::set<int> dead = deadLines(program);
+    int found = 0;
+    for (int line = 1; line <= program.count(); ++line) {
+        const auto &row = program.tokensOf(line);
+        const auto hasWall = [&](const char *name) {
+            return std::any_of(row.begin(), row.end(),
+                               [&](std::size_t i) { return isWall(i, name); });
+        };
+        if (dead.contains(line) || !hasWall(own))
+            continue;
+        const bool isOfOthers =
+            std::any_of(std::begin(names), std::end(names),
+                        [&](const char *name) { return name != own && hasWall(name); });
+        const bool asks = std::any_of(row.begin(), row.end(), [&](std::size_t i) {
+            return program.is(i, "<") || program.is(i, ">") || program.is(i, "<=")
+                   || program.is(i, ">=") || program.is(i, "(") || program.is(i, "{");
+        });
+        if (found != 0 || isOfOthers || !asks || isOfAnother(line))
+            return 0;
+        found = line;
+    }
+    return found;
+}
+
 int lineOfMissingWall(const LawDeviation &deviation, const ProgramLines &program,
                       const QStringList &rows)
 {
     if (const int line = equalityLine(program, rows))
         return line;
-    return deviation.moment.circles.size() == 1
-               ? lineForOthers(deviation.moment.circles.front(), program, rows)
-               : 0;
+    const int line = deviation.moment.circles.size() == 1
+                         ? lineForOthers(deviation.moment.circles.front(), program, rows)
+                         : 0;
+    return line != 0 ? line : lineOfWall(deviation, program);
 }
 
 } // namespace cradle

@@ -13,6 +13,10 @@ namespace cradle {
 [[nodiscard]] int lineOfMissingWall(const LawDeviation &deviation, const ProgramLines &program,
                                     const QStringList &rows);
 
+/// The only line that names the wall of `square` at which it shows, and no other: in a question, a
+/// call or a table. 0 if there is none, or several.
+[[nodiscard]] int lineOfWall(const LawDeviation &deviation, const ProgramLines &program);
+
 /// The only line that asks whether two lengths are equal, of circles or to a wall; 0 if there is
 /// none, or several.
 [[nodiscard]] int equalityLine(const ProgramLines &program, const QStringList &rows);

@@ -121,9 +121,9 @@ const PairHit *unsharedHit(const MeasuredPair &own)
         }
     }
     const auto isOther = [&](const PairHit &hit) {
-        const auto alike = ofAlike.find(hit.meeting.restitution);
+        const auto same = ofAlike.find(hit.meeting.restitution);
         const auto part = sharedPart(hit);
-        return part && alike != ofAlike.end() && std::abs(*part / alike->second - 1.0) > blur;
+        return part && same != ofAlike.end() && std::abs(*part / same->second - 1.0) > blur;
     };
     for (const std::vector<PairHit> *hits : lists) {
         const auto found = std::find_if(hits->begin(), hits->end(), isOther);

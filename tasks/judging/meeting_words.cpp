@@ -126,6 +126,7 @@ private:
                 "circle 1. What counts is whether they overlap and come nearer: look at "
                 "what else is asked, and at what your program keeps of a hit."),
             m_own.contacts.front());
+        m_found.back().topic = Topic::Memory;
     }
 
     /// Whether this program itself ever leaves two circles overlapping that move apart.
@@ -186,6 +187,8 @@ private:
                      brief(hit.slowness * hit.left1), brief(hit.slowness * hit.left2))
                 + QLatin1Char(' ') + why,
             hit);
+        if (asks == Asks::Kept)
+            m_found.back().topic = Topic::Memory;
     }
 };
 

@@ -37,9 +37,24 @@ std::size_t targetStart(const ProgramLines &program, std::size_t i)
     return i;
 }
 
+/// What the target that ends at \p last is called, or the table of which it is a row; empty if it
+/// is not \p ofRows.
+QString targetName(const ProgramLines &program, std::size_t last, bool ofRows)
+{
+    std::size_t at = last;
+    if (ofRows != program.is(last, "]"))
+        return {};
+    while (at > 0 && program.is(at, "]")) {
+        while (at > 0 && !program.is(at, "["))
+            --at;
+        at -= at > 0 ? 1 : 0;
+    }
+    return isName(program, at) ? program.tokens()[at].text : QString();
+}
+
 /// What is assigned at the sign = at \p sign.
 void addAssignments(std::vector<ProgramAssignment> &all, const ProgramLines &program,
-                    std::size_t sign, bool isInTable)
+                    std::size_t sign, bool isInTable, bool ofRows)
 {
     std::vector<ProgramAssignment> targets;
     std::size_t at = sign;
@@ -49,7 +64,7 @@ void addAssignments(std::vector<ProgramAssignment> &all, const ProgramLines &pro
         if (!isName(program, first) || program.is(first - 1, "for"))
             return;
         targets.push_back({.line = program.tokens()[sign].line,
-                           .name = isName(program, last) ? program.tokens()[last].text : QString(),
+                           .name = targetName(program, last, ofRows),
                            .isField = isInTable || first != last,
                            .target = first,
                            .last = last});
@@ -99,7 +114,9 @@ std::size_t afterExpression(const ProgramLines &program, std::size_t i)
     }
 }
 
-std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program)
+namespace {
+
+std::vector<ProgramAssignment> allAssignments(const ProgramLines &program, bool ofRows)
 {
     std::vector<ProgramAssignment> all;
     std::vector<std::size_t> open;
@@ -109,9 +126,21 @@ std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program)
         else if (isOneOf(program, i, {"}", ")", "]"}) && !open.empty())
             open.pop_back();
         else if (program.is(i, "="))
-            addAssignments(all, program, i, !open.empty() && program.is(open.back(), "{"));
+            addAssignments(all, program, i, !open.empty() && program.is(open.back(), "{"), ofRows);
     }
     return all;
+}
+
+} // namespace
+
+std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program)
+{
+    return allAssignments(program, false);
+}
+
+std::vector<ProgramAssignment> rowAssignmentsOf(const ProgramLines &program)
+{
+    return allAssignments(program, true);
 }
 
 QStringList copiesOf(const ProgramLines &program, const std::vector<ProgramAssignment> &assignments,

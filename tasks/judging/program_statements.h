@@ -23,6 +23,9 @@ struct ProgramAssignment {
 /// All of \p program, in order; also what a table begins with.
 [[nodiscard]] std::vector<ProgramAssignment> assignmentsOf(const ProgramLines &program);
 
+/// The same of what is put into the rows of tables, named after the table: x of x[i].
+[[nodiscard]] std::vector<ProgramAssignment> rowAssignmentsOf(const ProgramLines &program);
+
 /// The names, of variables or in tables, that a radius or a density is copied to.
 [[nodiscard]] QStringList copiesOf(const ProgramLines &program,
                                    const std::vector<ProgramAssignment> &assignments,

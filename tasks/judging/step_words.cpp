@@ -25,12 +25,16 @@ public:
         const auto times = factor();
         if (!times)
             return std::nullopt;
-        if (times->kind == Kind::Fixed)
-            return tell(FlightText::tr("A fixed number stands for the timestep of %who"),
-                        FlightText::tr("At every timestep tried the whole step is made as if Δt "
-                                       "were %1 s. Take the parameter of `on_update`.")
-                            .arg(briefTimestep(times->value)),
-                        shownTimestep(*times));
+        if (times->kind == Kind::Fixed) {
+            FlightSaid fault =
+                tell(FlightText::tr("A fixed number stands for the timestep of %who"),
+                     FlightText::tr("At every timestep tried the whole step is made as if Δt "
+                                    "were %1 s. Take the parameter of `on_update`.")
+                         .arg(briefTimestep(times->value)),
+                     shownTimestep(*times));
+            fault.topic = Topic::Timestep;
+            return fault;
+        }
         if (times->value == 0.0) {
             FlightSaid fault =
                 tell(FlightText::tr("In free flight a step leaves %who as it was"),

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/judging/telling_lines.h"
 
+#include "tasks/judging/begun_line.h"
+#include "tasks/judging/called_lines.h"
 #include "tasks/judging/early_line.h"
 #include "tasks/judging/lone_lines.h"
 #include "tasks/judging/program_functions.h"
@@ -123,40 +125,6 @@ int startLine(const ProgramLines &program, int line)
     return found;
 }
 
-/// The first line at the start of a program that gives numbers to what \p line writes down; 0 if
-/// there is none, or several far from each other.
-int begunLine(const ProgramLines &program, int line)
-{
-    constexpr int together = 3;
-    const std::vector<ProgramAssignment> assignments = assignmentsOf(program);
-    const std::vector<ProgramFunction> functions = functionsOf(program);
-    QStringList names;
-    const auto takeFrom = [&](const ProgramAssignment &each) {
-        names += valuesIn(program, each.from, each.to);
-    };
-    for (const ProgramAssignment &each : assignments) {
-        if (each.line == line)
-            takeFrom(each);
-    }
-    for (const ProgramAssignment &each : assignments) {
-        if (!isOfStart(functions, each.line) && names.contains(each.name)
-            && isHandedOn(program, each))
-            takeFrom(each);
-    }
-    int found = 0;
-    for (const ProgramAssignment &each : assignments) {
-        if (!isOfStart(functions, each.line) || !names.contains(each.name) || each.from == each.to
-            || program.is(each.from, "nil")
-            || program.tokens()[each.target].text.startsWith(QLatin1String("circle"))
-            || !valuesIn(program, each.from, each.to).isEmpty())
-            continue;
-        if (found != 0 && each.line > found + together)
-            return 0;
-        found = found == 0 ? each.line : found;
-    }
-    return found;
-}
-
 /// The only line of those that run at the moment that has \p sought in it; 0 if there is none, or
 /// several.
 int onlyLineWith(const QRegularExpression &sought, const QStringList &rows, const RanLines &ran)
@@ -170,6 +138,34 @@ int onlyLineWith(const QRegularExpression &sought, const QStringList &rows, cons
         found = line;
     }
     return found;
+}
+
+/// The first line that runs at the moment and asks what a step noted for later ones: a value that
+/// is true or false, or nothing yet, before the first step. 0 if there is none.
+int rememberedLine(const ProgramLines &program, const QStringList &rows, const RanLines &ran)
+{
+    const std::vector<ProgramFunction> functions = functionsOf(program);
+    QStringList begun;
+    QStringList noted;
+    for (const ProgramAssignment &each : assignmentsOf(program)) {
+        const bool isOfStart = cradle::isOfStart(functions, each.line);
+        const bool isVerdict = program.is(each.from, "false") || program.is(each.from, "true")
+                               || program.is(each.from, "nil");
+        if (isOfStart ? isVerdict : program.tokens()[each.target].text == each.name)
+            (isOfStart ? begun : noted).append(each.name);
+    }
+    static const QRegularExpression question(QStringLiteral("\\b(if|and|or|not)\\b"));
+    for (const int line : ran.now) {
+        if (line < 1 || line > rows.size() || !rows[line - 1].contains(question))
+            continue;
+        const auto &row = program.tokensOf(line);
+        if (std::any_of(row.begin(), row.end(), [&](std::size_t i) {
+                const QString &name = program.tokens()[i].text;
+                return begun.contains(name) && noted.contains(name) && !program.is(i + 1, "=");
+            }))
+            return line;
+    }
+    return 0;
 }
 
 /// The first of the lines that only the moment needs in which a velocity is set, or, \p ofTimestep,
@@ -218,6 +214,10 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
                          : deviation.topic == Topic::Rounding ? onlyLineWith(rounds, rows, ran)
                                                               : 0)
         return line;
+    if (const int line = deviation.topic == Topic::Memory ? rememberedLine(program, rows, ran) : 0)
+        return line;
+    if (deviation.topic == Topic::Timestep && deviation.aspect == Aspect::Motion)
+        return timestepGiven(program, last);
     if (deviation.topic == Topic::Timestep)
         return steppedLine(program, rows, ran, true);
     if (deviation.topic == Topic::Depth && deviation.suspect == Suspect::Answer)
@@ -243,7 +243,9 @@ int tellingLine(const LawDeviation &deviation, const ProgramLines &program, cons
             return line;
         return last < 1 || last > program.count() ? 0 : startLine(program, last);
     case Suspect::Begun:
-        if (const int line = last < 1 || last > program.count() ? 0 : begunLine(program, last))
+        if (const int line = last < 1 || last > program.count()
+                                 ? 0
+                                 : begunLine(program, last, deviation.moment.isPosition))
             return line;
         return earlyLine(program, {QStringLiteral("position"), QStringLiteral("velocity")});
     case Suspect::Omission:

@@ -132,6 +132,7 @@ private:
                               seen + rightTold(odd, hit.restitution), hit, whose, Suspect::Formula)
                   : deviation(words.headline, seen + words.why, hit, whose, Suspect::Formula);
         found.shown = static_cast<int>(odd.size());
+        found.topic = hit.held && !mixed ? Topic::Held : Topic::Other;
         return found;
     }
 

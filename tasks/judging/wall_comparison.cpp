@@ -18,11 +18,13 @@ LawDeviation WallComparison::deviation(const QString &headline, const QString &b
     QString message = headline + QStringLiteral("\n\n") + body;
     message.replace(QLatin1String("%who"), circleNames(whose.circles, m_ground.flights.size()));
     message.replace(QLatin1String("%walls"), namesOf(whose.walls));
+    const bool isOfOne = whose.walls.size() == 1;
     return {.aspect = Aspect::Walls,
             .message = message,
             .moment = {hit.stage, std::max<qint64>(hit.step, 1), {hit.circle}, isPosition},
             .suspect = suspect,
-            .family = headline}; // at fewer walls it is still the same
+            .family = headline, // at fewer walls it is still the same
+            .wall = isOfOne ? std::optional(*whose.walls.begin()) : std::nullopt};
 }
 
 std::vector<WallComparison::Whose> WallComparison::groupsOf(const std::vector<std::size_t> &hits,

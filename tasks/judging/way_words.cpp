@@ -52,14 +52,17 @@ public:
                            || (x.kind == y.kind && std::abs(x.value - y.value) < wrong);
         if (x.kind == Kind::Other || y.kind == Kind::Other) {
             const auto rightAt = rightTimestep();
-            if (rightAt)
-                return said(
+            if (rightAt) {
+                FlightSaid fault = said(
                     FlightText::tr("With some timesteps the way of %who is not v Δt"),
                     went + QLatin1Char(' ')
                         + FlightText::tr("With Δt = %1 s it goes v Δt. Look at which Δt the line "
                                          "that changes the position takes.")
                               .arg(briefTimestep(*rightAt)),
                     true);
+                fault.topic = Topic::Timestep;
+                return fault;
+            }
         }
         if (isOne && other.kind == Kind::Constant && other.value == 0.0 && f.wayMade == Vec2{}) {
             if (const auto alone = onlyInOwnScene(went))
@@ -73,6 +76,8 @@ public:
         FlightSaid fault = said(headline, went + QLatin1Char(' ') + where, true);
         if (other.kind == Kind::Constant && other.value == 0.0)
             fault.suspect = Suspect::Omission;
+        if (other.kind == Kind::Fixed)
+            fault.topic = Topic::Timestep;
         return fault;
     }
 
