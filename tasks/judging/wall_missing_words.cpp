@@ -219,16 +219,12 @@ private:
         return shown;
     }
 
-    /// A hit that does not come, at the step in which it should.
-    [[nodiscard]] WallHit as(WallHit missing) const
+    /// A hit that does not come, one of m_own, at the step in which it should.
+    [[nodiscard]] WallHit as(const WallHit &missing) const
     {
-        for (const WallHit &right : m_right.hits) {
-            if (right.circle == missing.circle && right.wall == missing.wall && right.turned) {
-                missing.step = right.step;
-                break;
-            }
-        }
-        return missing;
+        WallHit seen = missing;
+        seen.step = rightOf(static_cast<std::size_t>(&missing - m_own.hits.data())).step;
+        return seen;
     }
 
     std::vector<LawDeviation> m_found;

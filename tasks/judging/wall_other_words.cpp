@@ -70,7 +70,7 @@ public:
                          brief(at->otherWas.position - at->otherFree.position)),
                 *at, {{at->circle}, {at->wall}}, Suspect::Question, true);
         }
-        return deviation(
+        LawDeviation found = deviation(
             WallText::tr("As one circle hit a wall the way of the other changed"),
             WallText::tr("In the step in which circle %1 was answered by the %2, the other circle, "
                          "far from every wall, did not go on freely: its place is %3 m and its "
@@ -79,7 +79,10 @@ public:
                 .arg(QString::number(at->circle + 1), motion::wallName(at->wall),
                      brief(at->otherWas.position - at->otherFree.position),
                      brief(at->otherWas.velocity - at->otherFree.velocity)),
-            *at, {{at->circle}, {at->wall}}, Suspect::Answer, true);
+            *at, {{at->circle}, {at->wall}}, Suspect::Answer,
+            length(at->otherWas.position - at->otherFree.position) > 1e-6);
+        found.moment.circles = {at->circle == 0 ? 1 : 0};
+        return found;
     }
 
 private:
