@@ -19,6 +19,8 @@ private slots:
     void numbersWithNamesComeFirst();
     void whatIsChangedInSeveralLinesComesBehind();
     void whatIsAlikeStaysInItsOrder();
+    void aSignWhereNoneStoodComesBehindOtherWords();
+    void whatTheNextLineOverwritesComesLast();
 };
 
 namespace {
@@ -156,6 +158,33 @@ void TestRepairOrder::whatIsAlikeStaysInItsOrder()
     QCOMPARE(inOrder(QStringLiteral("x = 1"), changed), order);
     // Words that end in the same letters by chance tell nothing.
     QCOMPARE(inOrder(QStringLiteral("alpha = lamb"), changed), order);
+}
+
+void TestRepairOrder::aSignWhereNoneStoodComesBehindOtherWords()
+{
+    const QString source = QStringLiteral("local out = f(p)\nif out > 0 and q then");
+    std::vector<Repair> repairs = repairsOf(source, {}, {1, 2}, 1000);
+    putInOrder(repairs, source, {}, false);
+    const auto placeOf = [&](const char *row) {
+        const auto at = std::find_if(repairs.begin(), repairs.end(), [&](const Repair &each) {
+            return each.source.simplified().contains(QLatin1String(row));
+        });
+        return at == repairs.end() ? -1 : int(at - repairs.begin());
+    };
+    const int compared = placeOf("if out < 0 and q then");
+    QVERIFY(compared >= 0);
+    QVERIFY(placeOf("local out = - f(p)") > compared);
+    QVERIFY(placeOf("if out > 0 then") > compared);
+    QVERIFY(placeOf("if q then") > compared);
+    QVERIFY(placeOf("local out = f( -p)") > compared);
+}
+
+void TestRepairOrder::whatTheNextLineOverwritesComesLast()
+{
+    const QString source = QStringLiteral("a.position = olda\nb.position = oldb\n");
+    const QString lost = QStringLiteral("b.position = olda\nb.position = oldb\n");
+    const QString other = QStringLiteral("a.position = oldb\nb.position = oldb\n");
+    QCOMPARE(inOrder(source, {lost, other}), std::vector({other, lost}));
 }
 
 QTEST_GUILESS_MAIN(TestRepairOrder)

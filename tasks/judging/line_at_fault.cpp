@@ -149,6 +149,10 @@ std::vector<Repair> changesOf(const FaultQuery &query)
     else if (query.aspect == Aspect::Response)
         add(valueRepairsOf(sound, all, query.aspect, Suspect::Masses, query.ran.now,
                            ValueChange::Completed));
+    // Where it answers, the sign may be what is missing.
+    for (Repair &each : changes)
+        each.isRoundabout =
+            each.isRoundabout && !(query.suspect == Suspect::Answer && each.line == query.last);
     putInOrder(changes, query.program, soundLines(sound, all, query.aspect, query.suspect),
                query.aspect != Aspect::Motion);
     return changes;

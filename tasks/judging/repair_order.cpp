@@ -20,7 +20,7 @@ enum class Side { Nobody, First, Second, Both };
 enum class Naming { Silent, Agrees, Disagrees };
 
 /// The likelier a repair is what was meant, the sooner it is tried.
-enum class Rank { Told, Single, Called, Twins, Doubtful };
+enum class Rank { Told, Single, Roundabout, Called, Twins, Doubtful };
 
 Side sideOf(const QString &text, QChar first, QChar second)
 {
@@ -152,6 +152,14 @@ bool isFirstOfTwo(const QStringList &rows, int line, const QString &changed)
     });
 }
 
+/// Whether \p row gives a value to what the next line gives another.
+bool isOverwritten(const QStringList &rows, int line, const QString &row)
+{
+    const auto made = assignmentIn(row);
+    const auto next = assignmentIn(rows.value(line));
+    return made && next && made->first == next->first && !next->second.contains(made->first);
+}
+
 /// Whether a row asks for nothing any more.
 bool saysVerdict(const QString &row)
 {
@@ -224,10 +232,12 @@ public:
         if ((triesNumbers && known.givesNumbers && givesNumbers(row)) || repair.told
             || (isDisagreement && naming != Naming::Disagrees))
             return Rank::Told;
-        if (isSound || (row.isEmpty() && known.writesBack) || saysVerdict(row) || isDoubled(row))
+        if (isSound || (row.isEmpty() && known.writesBack) || saysVerdict(row) || isDoubled(row)
+            || (known.writesBack && isOverwritten(m_program.rows(), repair.line, row)))
             return Rank::Doubtful;
         return !repair.alone                             ? Rank::Twins
                : known.isOfCall && isOtherwise(own, row) ? Rank::Called
+               : repair.isRoundabout                     ? Rank::Roundabout
                                                          : Rank::Single;
     }
 

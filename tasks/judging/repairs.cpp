@@ -37,6 +37,14 @@ bool isAbsurd(const QString &source, qsizetype at)
     return (compares && row.contains(same)) || (row.contains(u',') && row.contains(twice));
 }
 
+/// Whether \p text is what was, turned round, or was a part of a question and is nothing.
+bool isRoundabout(const QString &was, const QString &text)
+{
+    static const QRegularExpression part(QStringLiteral("^\\s*(?:and|or)\\b|\\b(?:and|or)\\s*$"));
+    return (was.isEmpty() && text.trimmed() == QLatin1String("-"))
+           || text == QStringLiteral("-(%1)").arg(was) || (text.isEmpty() && was.contains(part));
+}
+
 } // namespace
 
 void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &text)
@@ -49,7 +57,10 @@ void RepairList::replace(int line, qsizetype from, qsizetype to, const QString &
     changed.replace(from, to - from, text);
     if (isAbsurd(changed, from))
         return;
+    const std::size_t before = m_repairs.size();
     add(changed, line, true);
+    if (m_repairs.size() > before)
+        m_repairs.back().isRoundabout = isRoundabout(source.mid(from, to - from), text);
     replaceInLike(line, from, to, text);
     replaceInTwins(line, from, to, text);
 }

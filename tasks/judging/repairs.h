@@ -16,6 +16,9 @@ struct Repair {
     /// Other lines tell that it is meant so: one that says it of the other circle, a value that
     /// was worked out for it and is used nowhere.
     bool told = false;
+    /// It turns a sign where none stands, or leaves a question out: what does the same by another
+    /// word is likelier meant.
+    bool isRoundabout = false;
     /// It changes what is right by itself, or makes of it what nobody means.
     bool isDoubtful = false;
 };
