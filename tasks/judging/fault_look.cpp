@@ -5,6 +5,7 @@
 #include "tasks/judging/likeness.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cradle {
 
@@ -16,6 +17,16 @@ constexpr qint64 answerLate = 2;
 constexpr double alikeSpeeds = 0.03;
 /// Steps before the moment, in which what a program keeps from one step to the next has settled.
 constexpr qint64 settling = 3;
+
+/// What is right in one scene by chance is wrong with a velocity that is so many times as large.
+constexpr double fasterAlongX = 1.05;
+constexpr double slowerAlongY = 0.96;
+
+/// Steps by which what comes at \p step comes later with that velocity along y.
+qint64 laterAt(qint64 step)
+{
+    return static_cast<qint64>(std::ceil(static_cast<double>(step) * (1.0 / slowerAlongY - 1.0)));
+}
 
 /// The states of a program step by step, the first before any step; they end where it stops.
 std::vector<World> statesOf(const QString &program, const Stage &stage, qint64 steps)
@@ -58,9 +69,11 @@ FaultLook::FaultLook(const QString &program, const QString &reference, const Mom
 {
     const qint64 steps = moment.step + (moment.isPosition ? 0 : answerLate);
     for (auto *scene : {&m_first, &m_second}) {
-        // One step more: two changes of sign make none.
-        *scene = scene == &m_first ? sceneOf(moment.stage, steps)
-                                   : sceneOf(otherStage(), isHit ? steps : steps + 1);
+        // One step more: two changes of sign make none. A hit comes later along y, by as much as it
+        // is slower there.
+        *scene = scene == &m_first
+                     ? sceneOf(moment.stage, steps)
+                     : sceneOf(otherStage(), isHit ? steps + laterAt(moment.step) : steps + 1);
         if (*scene && !isTold(**scene))
             scene->reset();
     }
@@ -105,14 +118,14 @@ Sight FaultLook::of(const QString &program)
     return *seen;
 }
 
-/// Other velocities and another mass: what is right in one scene by chance is wrong there.
+/// Other velocities and another mass.
 Stage FaultLook::otherStage() const
 {
     Stage stage = m_moment.stage;
     double k = 1.0;
     for (PresetCircle &circle : stage.preset.circles) {
         Vec2 &v = circle.body.velocity;
-        v = {1.05 * v.x, 0.96 * v.y};
+        v = {fasterAlongX * v.x, slowerAlongY * v.y};
         if (!m_isHit)
             v = v + Vec2{0.37 * k, 0.23};
         if (m_isHit && !m_isQuestion && k < 0.0)
@@ -159,6 +172,12 @@ std::optional<FaultLook::Scene> FaultLook::sceneOf(const Stage &stage, qint64 st
     if (goesOn(m_reference, right) && goesOn(m_program, theirs)) {
         scene.start = right[static_cast<std::size_t>(start)];
         scene.late = {scene.whole.wanted, after(m_program, stage, steps, &*scene.start)};
+        // Walls that are right put circles back in several ways, which adds up on a long way.
+        const std::vector<Circle> &there = scene.start->circles;
+        const Ends same{there, there};
+        scene.isWhole =
+            isNear(theirs[static_cast<std::size_t>(start)].circles, same, 1.0, scene, start)
+            || isNear(scene.late.was, scene.late, 2.0, scene, steps - start);
     }
     return scene;
 }
@@ -178,8 +197,9 @@ bool FaultLook::isRightIn(const Scene &scene, const QString &program) const
     return (!scene.start
             || isNear(after(program, scene.stage, scene.steps, &*scene.start), scene.late, 2.0,
                       scene, scene.steps - scene.start->step))
-           && isNear(after(program, scene.stage, scene.steps), scene.whole, 1.0, scene,
-                     scene.steps);
+           && (!scene.isWhole
+               || isNear(after(program, scene.stage, scene.steps), scene.whole, 1.0, scene,
+                         scene.steps));
 }
 
 bool FaultLook::isNear(const std::vector<Circle> &made, const Ends &ends, double tolerance,

@@ -42,10 +42,11 @@ private:
         qint64 steps = 0;
         Ends whole{};
         std::optional<World>
-            start{};        ///< in the midst of the reference's run, if one may begin there
-        Ends late{};        ///< of runs that begin there
-        double slack = 0.0; ///< m
-        double near = 0.0;  ///< of velocities, relative
+            start{};         ///< in the midst of the reference's run, if one may begin there
+        Ends late{};         ///< of runs that begin there
+        bool isWhole = true; ///< whether what comes before the fault is told, too
+        double slack = 0.0;  ///< m
+        double near = 0.0;   ///< of velocities, relative
     };
 
     [[nodiscard]] std::optional<Scene> sceneOf(const Stage &stage, qint64 steps) const;
