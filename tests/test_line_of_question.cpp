@@ -18,6 +18,27 @@ private slots:
     void findingMarksTheLine() { compareLine(); }
 };
 
+/// The flat program, which reads the velocities of the circles before the first step only.
+static QString takenOver()
+{
+    QString program = QString::fromLatin1(flat);
+    const QString line = program.section(u'\n', 6, 7);
+    program.replace(line,
+                    QStringLiteral("  local ax, ay = circle1.position.x, circle1.position.y\n"
+                                   "  local bx, by = circle2.position.x, circle2.position.y"));
+    program.replace(QStringLiteral("function on_update(h)"),
+                    QStringLiteral("function on_update(h)\n"
+                                   "  local avx, avy, bvx, bvy = own[1], own[2], own[3], own[4]"));
+    const qsizetype start = program.indexOf(QStringLiteral("end\n")); // of on_load
+    program.insert(start, QStringLiteral("  local v = circle1.velocity\n"
+                                         "  own[1], own[2] = v.x, v.y\n"
+                                         "  local w = circle2.velocity\n"
+                                         "  own[3], own[4] = w.x, w.y\n"));
+    program.insert(program.lastIndexOf(QStringLiteral("end\n")),
+                   QStringLiteral("  own[1], own[2], own[3], own[4] = avx, avy, bvx, bvy\n"));
+    return QStringLiteral("own = {}\n") + program;
+}
+
 void TestLineOfQuestion::findingMarksTheLine_data()
 {
     addColumns();
@@ -59,6 +80,16 @@ void TestLineOfQuestion::findingMarksTheLine_data()
     row("distance of another formula", flat, "dx * dx + dy * dy)", "dx * dx)");
     row("setter: no walls of its own", objects, "for _, b in ipairs(balls) do b.walls() end", "",
         false);
+    row("an answer that never comes, of walls in a list", tables, "depth < 0 and into > 0",
+        "depth < 0 and into < 0");
+    row("a normal too short", tables, "vec(0, 1), vec(0, -1)", "vec(0, 1), vec(0, -0.5)");
+    row("a normal along two coordinates", tables, "vec(1, 0), vec", "vec(1, 1), vec");
+    row("a normal the wrong way round", tables, "vec(1, 0), vec(-1, 0)", "vec(-1, 0), vec(-1, 0)");
+    row("a metre too late", tables, "depth < 0 and", "depth < -1 and");
+    row("the floor, at times, by another coordinate", weighed, "p.y * v.y > 0", "p.x * v.y > 0");
+    rowOfStep("one circle put where the other was", "L42T5", QString::fromLatin1(walled),
+              "c.position = vec(old.x, p.y)", "circle1.position = vec(old.x, p.y)");
+    rowOfStep("own numbers, taken over once", "L42T12", takenOver(), "= v.x, v.y", "= v.x, v.x");
     rowOfStep("own value: turned round at floor and ceiling", "L42T5", QString::fromLatin1(walled),
               "v = vec(v.x, -v.y)", "v = -v");
 }

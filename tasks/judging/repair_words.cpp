@@ -9,6 +9,16 @@ namespace cradle {
 
 namespace {
 
+/// Whether tokens \p from to \p to, without that, are all that is given, or one of a list.
+bool isElement(const RepairList &repairs, std::size_t from, std::size_t to)
+{
+    const bool begins = repairs.is(from - 1, "=") || repairs.is(from - 1, ",")
+                        || repairs.is(from - 1, "(") || repairs.is(from - 1, "{");
+    return begins
+           && (repairs.lineOf(to) != repairs.lineOf(to - 1) || repairs.is(to, ",")
+               || repairs.is(to, ")") || repairs.is(to, "}"));
+}
+
 void changeNumber(RepairList &repairs, std::size_t i)
 {
     const ProgramToken &number = repairs.tokens()[i];
@@ -22,10 +32,13 @@ void changeNumber(RepairList &repairs, std::size_t i)
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("3")};
     const bool isIndex = repairs.is(i - 1, "[") && repairs.is(i + 1, "]");
     const std::size_t before = repairs.is(i - 1, "-") ? i - 1 : i;
-    const bool isWhole = (repairs.is(before - 1, "=") || repairs.is(before - 1, ","))
-                         && (repairs.lineOf(i + 1) != number.line || repairs.is(i + 1, ","));
-    if (isWhole)
+    if (isElement(repairs, before, i + 1)) {
         others.append(QStringLiteral("0"));
+        if (before == i)
+            others.append(QLatin1Char('-') + number.text);
+    } else if (repairs.is(i - 1, "<") || repairs.is(i - 1, ">")) {
+        others.append(QStringLiteral("0"));
+    }
     if (isIndex)
         others = {QStringLiteral("1"), QStringLiteral("2"), QStringLiteral("i")};
     for (const QString &other : others)

@@ -31,6 +31,30 @@ bool givesNumber(const ProgramLines &program, const std::vector<ProgramAssignmen
     });
 }
 
+/// Whether a number stands there in a list: {1, 0}, vec(0, -1).
+bool isOfList(const ProgramLines &program, int line)
+{
+    const auto &row = program.tokensOf(line);
+    return std::any_of(row.begin(), row.end(), [&](std::size_t i) {
+        const std::size_t before = i > 0 && program.is(i - 1, "-") ? i - 1 : i;
+        return program.tokens()[i].kind == ProgramToken::Kind::Number && before > 0
+               && (program.is(before - 1, "{") || program.is(before - 1, "(")
+                   || program.is(before - 1, ","));
+    });
+}
+
+/// Whether something is given there that is worked out of a place or a velocity.
+bool takesOver(const ProgramLines &program, int line)
+{
+    const auto &row = program.tokensOf(line);
+    const auto stands = [&](const auto &is) { return std::any_of(row.begin(), row.end(), is); };
+    return stands([&](std::size_t i) { return program.is(i, "="); }) && stands([&](std::size_t i) {
+               return i > 0 && program.is(i - 1, ".")
+                      && (program.is(i, "x") || program.is(i, "y") || program.is(i, "position")
+                          || program.is(i, "velocity"));
+           });
+}
+
 } // namespace
 
 std::vector<int> suspectLines(const FaultQuery &query)
@@ -94,6 +118,13 @@ std::vector<int> suspectLines(const FaultQuery &query)
     for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
         if (isOfStart(functions, line) && query.aspect == Aspect::Motion
             && rows[line - 1].contains(choice) && !dead.contains(line)
+            && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
+            add(line);
+    }
+    // What is told there by numbers, or taken from the circles.
+    for (int line = 1; line <= static_cast<int>(rows.size()); ++line) {
+        if (isOfStart(functions, line) && (isOfList(program, line) || takesOver(program, line))
+            && !dead.contains(line)
             && !(query.moment.stage.pinned && isPinnedStart(rows[line - 1])))
             add(line);
     }

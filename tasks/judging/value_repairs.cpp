@@ -55,6 +55,28 @@ std::size_t afterSum(const ProgramLines &program, std::size_t i)
     return at;
 }
 
+/// Whether the function in which \p line stands is called twice in a line: x and y, or squares of
+/// this and that. What it returns is no quantity, unless a mass.
+bool isOfSeveral(const RepairList &repairs, int line)
+{
+    const ProgramFunction *function = functionAt(repairs.functions(), line);
+    if (!function || function->name.isEmpty())
+        return false;
+    const ProgramLines &program = repairs.program();
+    int called = 0;
+    int before = 0;
+    for (std::size_t i = 0; i < program.tokens().size(); ++i) {
+        const ProgramToken &token = program.tokens()[i];
+        if (token.text != function->name || !program.is(i + 1, "("))
+            continue;
+        called = token.line == before ? called + 1 : 1;
+        before = token.line;
+        if (called == 2)
+            return true;
+    }
+    return false;
+}
+
 /// What line \p line gives, returns, hands on to a function or compares.
 std::vector<Value> valuesAt(const RepairList &repairs, int line, Aspect aspect)
 {
@@ -256,6 +278,9 @@ std::vector<Repair> valueRepairsOf(SoundValues &sound, const std::vector<int> &l
             // Whose radius it is is another question.
             static const QRegularExpression radius(QStringLiteral("^\\w+\\.radius$"));
             if (aspect == Aspect::Contact && !value.isSide && text.contains(radius))
+                continue;
+            if (suspect != Suspect::Masses && program.is(value.from - 1, "return")
+                && isOfSeveral(repairs, line))
                 continue;
             if (!isSuspicious(program, value, aspect, suspect, change)
                 || sound.has(from, to,
