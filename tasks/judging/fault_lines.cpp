@@ -124,6 +124,14 @@ int FaultLines::mendingLine(const LawDeviation &deviation, const RanLines &ran)
     return line;
 }
 
+bool FaultLines::isOfOne(const LawDeviation &deviation) const
+{
+    const std::vector<LawDeviation> all = m_deviations.of(m_own, Aspect::Motion);
+    return std::all_of(all.begin(), all.end(), [&](const LawDeviation &each) {
+        return each.moment.circles == deviation.moment.circles;
+    });
+}
+
 int FaultLines::likelyLine(const Finding &finding, const LawDeviation &deviation,
                            const RanLines &ran, std::optional<int> workedOut) const
 {
@@ -139,7 +147,8 @@ int FaultLines::likelyLine(const Finding &finding, const LawDeviation &deviation
     };
     const auto hit = [&] { return HitAtMoment(script, m_task.solution, deviation.moment); };
     return guessedLine(script, deviation, ran,
-                       {finding.line, workedOut, finding.calls, hit, isSound});
+                       {finding.line, workedOut, finding.calls, hit, isSound,
+                        deviation.aspect != Aspect::Motion || isOfOne(deviation)});
 }
 
 int FaultLines::provenLine(const LawDeviation &deviation, const RanLines &ran, int last,

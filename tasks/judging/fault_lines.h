@@ -47,6 +47,8 @@ private:
                                          const RanLines &ran) const;
     /// The line of which another value would mend it; 0 if that is not known.
     [[nodiscard]] int mendingLine(const LawDeviation &deviation, const RanLines &ran);
+    /// Whether all that is wrong with the motion is of the circles of \p deviation.
+    [[nodiscard]] bool isOfOne(const LawDeviation &deviation) const;
     /// Without a proof.
     /// \param workedOut  where the value that the last assignment writes back was worked out
     [[nodiscard]] int likelyLine(const Finding &finding, const LawDeviation &deviation,

@@ -257,7 +257,7 @@ int guessedLine(const QString &program, const LawDeviation &deviation, const Ran
         return lineOfWall(deviation, lines);
     for (const int other :
          {unwrittenTurn(deviation, lines, ran), askedOfFunction(deviation, lines, line),
-          callForOne(deviation, lines, line)}) {
+          assignment.isOfOne ? callForOne(deviation, lines, line) : 0}) {
         if (other != 0)
             return other;
     }

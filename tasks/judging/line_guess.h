@@ -25,6 +25,8 @@ struct LastAssignment {
     std::function<HitAtMoment()> hit{};
     /// Whether all that a line gives is known to be right.
     std::function<bool(int)> isSound = [](int) { return false; };
+    /// Whether other circles move as they should.
+    bool isOfOne = true;
 };
 
 /// Where a teacher would point first, if no change is proven to mend a program: among the lines
