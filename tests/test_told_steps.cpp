@@ -24,6 +24,7 @@ private slots:
     void stepsThatGrowWithTheirNumberAreTold();
     void aFirstStepOfItsOwnIsTold();
     void aWallIsNoOddStep();
+    void aVelocityThatIsNotWrittenIsNoOddStep();
 };
 
 /// The old place is kept once: from then on no step adds to the one before.
@@ -228,6 +229,24 @@ void TestToldSteps::aWallIsNoOddStep()
                        "end\n");
     QVERIFY(bodyOfProgram("L42T3", program, "Not every step").isEmpty());
     QVERIFY(!bodyOfProgram("L42T3", program, "The velocity of circle 1 gets 60 times").isEmpty());
+}
+
+/// Its ways are those of a velocity of its own, and right after that: wrong is that the circle's
+/// stays as it was.
+void TestToldSteps::aVelocityThatIsNotWrittenIsNoOddStep()
+{
+    const QString program = QStringLiteral("local v = vec(0, 0)\n"
+                                           "function on_load()\n"
+                                           "  gravity = vec(0, -9.81)\n"
+                                           "  circle1.velocity = vec(2, 0)\n"
+                                           "  v = circle1.velocity\n"
+                                           "end\n"
+                                           "function on_update(h)\n"
+                                           "  circle1.position = circle1.position + v * h\n"
+                                           "  v = v + gravity * h\n"
+                                           "end\n");
+    QVERIFY(bodyOfProgram("L42T3", program, "Not every step").isEmpty());
+    QVERIFY(!bodyOfProgram("L42T3", program).isEmpty());
 }
 
 QTEST_GUILESS_MAIN(TestToldSteps)

@@ -62,7 +62,11 @@ private:
             || !hangsOnKept())
             return std::nullopt;
         const std::vector<Vec2> turns = offs(false);
-        return areUnlike(turns) ? told(turns, false) : told(offs(true), true);
+        if (areUnlike(turns))
+            return told(turns, false);
+        // What way is right hangs on the velocity: where that is wrong, it is told first.
+        return length(turns.front()) > slack() ? std::nullopt
+                                               : std::optional(told(offs(true), true));
     }
 
     /// Whether steps from one and the same start differ, from the second on.
