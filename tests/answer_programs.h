@@ -27,8 +27,8 @@ inline constexpr const char *puts[] = {"c.position",
                                        "x + A * v",
                                        "c.position + h * c.velocity",
                                        "x + F * h * c.velocity",
-                                       "vec(math.max(-w + r, math.min(w - r, c.position.x)), "
-                                       "math.max(-w + r, math.min(w - r, c.position.y)))",
+                                       ("vec(math.max(-w + r, math.min(w - r, c.position.x)), "
+                                        "math.max(-w + r, math.min(w - r, c.position.y)))"),
                                        "vec(math.max(-w, math.min(w, c.position.x)), c.position.y)",
                                        "c.position * F",
                                        "vec(0, 0)"};
