@@ -177,6 +177,11 @@ void TestRepairOrder::aSignWhereNoneStoodComesBehindOtherWords()
     QVERIFY(placeOf("if out > 0 then") > compared);
     QVERIFY(placeOf("if q then") > compared);
     QVERIFY(placeOf("local out = f( -p)") > compared);
+    const QString guard = QStringLiteral("if u >= 0 then\n  return\nend\nhit(square.left)");
+    repairs = repairsOf(guard, {}, {1, 2, 4}, 1000);
+    putInOrder(repairs, guard, {}, false);
+    QVERIFY(placeOf("hit(square.right)") >= 0);
+    QVERIFY(placeOf("if u >= 0 then end") > placeOf("hit(square.right)"));
 }
 
 void TestRepairOrder::whatTheNextLineOverwritesComesLast()

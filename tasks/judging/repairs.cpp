@@ -37,10 +37,12 @@ bool isAbsurd(const QString &source, qsizetype at)
     return (compares && row.contains(same)) || (row.contains(u',') && row.contains(twice));
 }
 
-/// Whether \p text is what was, turned round, or was a part of a question and is nothing.
+/// Whether \p text is what was, turned round, or was a part of a question, or its answer, and is
+/// nothing.
 bool isRoundabout(const QString &was, const QString &text)
 {
-    static const QRegularExpression part(QStringLiteral("^\\s*(?:and|or)\\b|\\b(?:and|or)\\s*$"));
+    static const QRegularExpression part(
+        QStringLiteral("^\\s*(?:and|or)\\b|\\b(?:and|or)\\s*$|^\\s*return\\s*$"));
     return (was.isEmpty() && text.trimmed() == QLatin1String("-"))
            || text == QStringLiteral("-(%1)").arg(was) || (text.isEmpty() && was.contains(part));
 }
